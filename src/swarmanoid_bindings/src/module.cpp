@@ -10,10 +10,12 @@
 #include "robots.hpp"
 #include "rule_world.hpp"
 #include "simulation_class.hpp"
+#include "swarmanoid_interface/process/math_library.hpp"
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 #include "without_lock.hpp"
 
 PYBIND11_MODULE(_core, module) {
+  swarmanoid::fixNumpy();
   module.doc() = "The simulator of robot swarms, in process.";
   swarmanoid::bindings::bindErrors(module);
   swarmanoid::bindings::bindFieldArrays(module);

@@ -55,7 +55,7 @@ class ScriptsTest(ScriptCase):
         """On processors with AVX-512 it takes other versions of these functions for some places, if nobody tells it not to."""
         self.write("swarm.py", SWARM.replace("    def step(self, robots):\n", PLACES, 1))
         environment = {name: value for name, value in os.environ.items() if name != "NPY_DISABLE_CPU_FEATURES"}
-        done = subprocess.run(["swarmanoid", "run", str(self.experiment("All")), "--quiet", "--ticks", "3"], env=environment,
+        done = subprocess.run(["swarmanoid", "run", str(self.experiment("together")), "--quiet", "--ticks", "3"], env=environment,
                               cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 

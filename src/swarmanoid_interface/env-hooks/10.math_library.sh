@@ -5,8 +5,29 @@ case "${GLIBC_TUNABLES:-}" in
   *-FMA,-FMA4*) ;;
   *) export GLIBC_TUNABLES="${GLIBC_TUNABLES:+$GLIBC_TUNABLES:}glibc.cpu.hwcaps=-FMA,-FMA4" ;;
 esac
-# NumPy's own versions of these functions depend on the processor, and on where arrays lie in memory.
-case " ${NPY_DISABLE_CPU_FEATURES:-} " in
-  *" FMA3 AVX512F AVX512CD AVX512_SKX AVX512_CLX AVX512_CNL AVX512_ICL "*) ;;
-  *) export NPY_DISABLE_CPU_FEATURES="${NPY_DISABLE_CPU_FEATURES:+$NPY_DISABLE_CPU_FEATURES }FMA3 AVX512F AVX512CD AVX512_SKX AVX512_CLX AVX512_CNL AVX512_ICL" ;;
-esac
+# NumPy's own versions of these functions depend on the processor, and on where arrays lie in memory. NumPy warns of features
+# that the processor has not.
+if [ -r /proc/cpuinfo ]; then
+  _swarmanoid_flags=" $(grep -m1 '^flags' /proc/cpuinfo || true) "
+  # _swarmanoid_hide FEATURE FLAG...: of a processor that has these flags
+  _swarmanoid_hide() {
+    _swarmanoid_feature=$1
+    shift
+    for _swarmanoid_flag in "$@"; do
+      case "$_swarmanoid_flags" in *" $_swarmanoid_flag "*) ;; *) return ;; esac
+    done
+    case " $(echo "${NPY_DISABLE_CPU_FEATURES:-}" | tr ',\t' '  ') " in
+      *" $_swarmanoid_feature "*) ;;
+      *) export NPY_DISABLE_CPU_FEATURES="${NPY_DISABLE_CPU_FEATURES:+$NPY_DISABLE_CPU_FEATURES }$_swarmanoid_feature" ;;
+    esac
+  }
+  _swarmanoid_hide FMA3 fma
+  _swarmanoid_hide AVX512F avx512f
+  _swarmanoid_hide AVX512CD avx512cd
+  _swarmanoid_hide AVX512_SKX avx512f avx512cd avx512vl avx512bw avx512dq
+  _swarmanoid_hide AVX512_CLX avx512f avx512cd avx512vl avx512bw avx512dq avx512_vnni
+  _swarmanoid_hide AVX512_CNL avx512f avx512cd avx512vl avx512bw avx512dq avx512ifma avx512vbmi
+  _swarmanoid_hide AVX512_ICL avx512f avx512cd avx512vl avx512bw avx512dq avx512ifma avx512vbmi avx512_vnni avx512_vbmi2 avx512_bitalg avx512_vpopcntdq
+  unset -f _swarmanoid_hide
+  unset _swarmanoid_flags _swarmanoid_feature _swarmanoid_flag
+fi

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "../python_lock.hpp"
+#include "swarmanoid_interface/process/math_library.hpp"
 #include "swarmanoid_space/script_host.hpp"
 
 namespace py = pybind11;
@@ -55,6 +56,7 @@ void startPython() {
     return;  // it is Python's own process
   }
   showPythonToAll();
+  fixNumpy();
   PyPreConfig before;
   PyPreConfig_InitPythonConfig(&before);
   before.configure_locale = 0;  // it is the program's

@@ -1,6 +1,6 @@
 /// What holds the bodies of an island back or drives them in a step. Each constraint keeps the impulse that it has
-/// given in the step so far, and solves itself exactly against the velocities of its bodies; the island repeats that
-/// until nothing changes any more (projected Gauss-Seidel).
+/// given in the step so far, and solves itself against the velocities of its bodies, exactly but for treels in large
+/// islands; the island repeats that until nothing changes any more (projected Gauss-Seidel).
 ///
 /// Bodies are places in the island. SI units, axes of the plane; impulses in N s. `start` begins a step, and gives
 /// again the impulse of the step before; `solve` returns by how much it has changed the velocity of a body, turns

@@ -9,7 +9,8 @@ namespace {
 /// Displacement of a point after which gaps are computed again [m].
 constexpr double kFarthest = 5e-3;
 /// A push opens this many times the depth (successive over-relaxation): displacements spread through a crowd of n rows
-/// of robots in the order of n sweeps instead of n squared. 2 and more would diverge.
+/// of robots in the order of n sweeps instead of n squared. 2 and more would diverge. Pushes are
+/// not taken back, so where there is no room for all they go to and fro; the last sweeps open the depth only.
 constexpr double kOverRelaxation = 1.9;
 
 }  // namespace
@@ -17,12 +18,13 @@ constexpr double kOverRelaxation = 1.9;
 void CrowdCorrection::correct(SolverBodies& bodies, const std::vector<ContactConstraint>& contacts, double allowed) {
   constexpr int kMostRounds = 10;
   constexpr int kMostSweeps = 250;  // in all rounds
-  constexpr double kEnough = 0.5;   // of `allowed`: what remains in a linear solution
+  constexpr int kRelaxedSweeps = 150;
+  constexpr double kEnough = 0.5;  // of `allowed`: what remains in a linear solution
   int sweeps = 0;
   for (int round = 0; round < kMostRounds && sweeps < kMostSweeps && linearise(bodies, contacts) > allowed; ++round) {
     bool is_done = false;
     for (int i = 1; !is_done && sweeps < kMostSweeps; ++i, ++sweeps) {
-      is_done = !sweep(i, kEnough * allowed) || isFar(bodies);
+      is_done = !sweep(i, kEnough * allowed, sweeps < kRelaxedSweeps ? kOverRelaxation : 1.0) || isFar(bodies);
     }
     apply(bodies);
   }
@@ -61,7 +63,7 @@ double CrowdCorrection::linearise(const SolverBodies& bodies, const std::vector<
   return deepest;
 }
 
-bool CrowdCorrection::sweep(int number, double allowed) {
+bool CrowdCorrection::sweep(int number, double allowed, double relaxation) {
   bool has_pushed = false;
   for (const Row& row : rows_) {
     Displacement& a = displacements_[row.a];
@@ -77,7 +79,7 @@ bool CrowdCorrection::sweep(int number, double allowed) {
     has_pushed = true;
     a.last_sweep = number;
     b.last_sweep = number;
-    const double impulse = row.mass * std::min(kOverRelaxation * depth, kFarthest);
+    const double impulse = row.mass * std::min(relaxation * depth, kFarthest);
     a.x -= a.inverse_mass * impulse * row.x;
     a.y -= a.inverse_mass * impulse * row.y;
     a.turn -= a.inverse_inertia * impulse * row.lever_a;

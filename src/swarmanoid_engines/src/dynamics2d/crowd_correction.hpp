@@ -42,9 +42,8 @@ class CrowdCorrection {
   /// Computes the rows of the contacts that the displacements of a round can close. @return the largest depth [m]
   double linearise(const SolverBodies& bodies, const std::vector<ContactConstraint>& contacts);
   /// Pushes bodies apart that are deeper than allowed, contact by contact. @param number of the sweep in the round,
-  /// from 1
-  /// @return whether there were such
-  bool sweep(int number, double allowed);
+  /// from 1 @param relaxation how many times the depth a push opens @return whether there were such
+  bool sweep(int number, double allowed, double relaxation);
   /// Whether gaps must be computed again.
   bool isFar(const SolverBodies& bodies) const;
   void apply(SolverBodies& bodies) const;

@@ -46,6 +46,11 @@ struct IslandRows {
   std::size_t last = 0;
 };
 
+/// Returns the matrix of the cross product with a vector.
+inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
+  return (Eigen::Matrix3d() << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0).finished();
+}
+
 /// Returns the velocity of a relative to b along the contact's axes [m/s].
 inline Eigen::Vector3d velocityAt(const ContactRow& row, const Mover& a, const Mover& b) {
   return row.axes.transpose() * (a.linear + a.angular.cross(row.arm_a) - b.linear - b.angular.cross(row.arm_b));

@@ -52,9 +52,12 @@ std::size_t ContactSolver::moverOf(const Body* body) {
     mover.inverse_mass = 1.0 / mover.mass;
     mover.inertia = turn * body->own.inertia * turn.transpose();
     mover.inverse_inertia = mover.inertia.inverse();
-    const Vector3d gyroscopic = (mover.inertia * mover.angular).cross(mover.angular);
+    // as ODE turns a body without torque: implicit, so that it gains no energy
+    const Vector3d momentum = mover.inertia * mover.angular;
+    const Matrix3d implicit = mover.inertia - step_ * crossMatrix(momentum);
     mover.linear += step_ * (toVector(gravity) + mover.inverse_mass * toVector(dBodyGetForce(body->rigid)));
-    mover.angular += step_ * mover.inverse_inertia * (toVector(dBodyGetTorque(body->rigid)) + gyroscopic);
+    mover.angular =
+        implicit.inverse() * momentum + step_ * mover.inverse_inertia * toVector(dBodyGetTorque(body->rigid));
     ++bodies_of_[static_cast<std::size_t>(body->island_first)];
   }
   mover.linear_without = mover.linear;

@@ -66,18 +66,23 @@ bool isPushed(const Body& a, const Body* b, const Vector3d& normal) {
 }
 
 void Friction::startStep(double step, double gravity, std::size_t contacts, bool uses_memory) {
-  constexpr std::size_t kFirst = 1024;
   step_ = step;
   uses_memory_ = uses_memory;
   gravity_ = gravity;
   is_again_ = false;
   contacts_ = contacts;
-  if (contacts > rubbings_.size()) {
-    rubbings_.resize(std::max({kFirst, contacts, 2 * rubbings_.size()}));  // by so many that it hardly happens again
+  are_rubbings_reset_ = false;
+}
+
+void Friction::resetRubbings() {
+  constexpr std::size_t kFirst = 1024;
+  if (contacts_ > rubbings_.size()) {
+    rubbings_.resize(std::max({kFirst, contacts_, 2 * rubbings_.size()}));  // by so many that it hardly happens again
   }
   for (std::size_t i = 0; i < contacts_; ++i) {
     rubbings_[i].a = nullptr;
   }
+  are_rubbings_reset_ = true;
 }
 
 void Friction::watch(std::size_t number, dJointID joint) { dJointSetFeedback(joint, &rubbings_[number].feedback); }
@@ -86,6 +91,9 @@ void Friction::lay(std::size_t number, const Body& a, dBodyID rigid_a, const Bod
                    dContact& contact) {
   SWARMANOID_EXPECTS(toVector(contact.geom.normal) != Vector3d::Zero() && contact.surface.mu >= 0.0);
   SWARMANOID_EXPECTS(number < contacts_);
+  if (!are_rubbings_reset_) {
+    resetRubbings();
+  }
   Rubbing& rubbing = rubbings_[number];
   const bool has_belt = (contact.surface.mode & dContactMotion1) != 0;
   const Vector3d point = toVector(contact.geom.pos);
@@ -158,7 +166,7 @@ double Friction::recall(const Rubbing& rubbing) {
 
 void Friction::keep() {
   memory_.startPart();
-  for (std::size_t i = 0; i < contacts_; ++i) {
+  for (std::size_t i = 0; i < contacts_ && are_rubbings_reset_; ++i) {
     const Rubbing& rubbing = rubbings_[i];
     if (rubbing.a == nullptr) {
       continue;
@@ -198,7 +206,7 @@ Vector3d Friction::pullOf(const Body* body, dBodyID rigid) const {
 }
 
 void Friction::markAstray(Islands& islands) {
-  for (std::size_t i = 0; i < contacts_; ++i) {
+  for (std::size_t i = 0; i < contacts_ && are_rubbings_reset_; ++i) {
     Rubbing& rubbing = rubbings_[i];
     if (rubbing.a != nullptr && rubbing.a->island == Body::Island::kSmall && !isCoulombs(rubbing)) {
       islands.markAstray(*rubbing.a);

@@ -35,9 +35,9 @@ namespace swarmanoid::dynamics3d {
 /// Whether a robot with treels touches a movable body without treels at an upright surface. @param b null: the ground
 /// @param normal contact normal, in W
 bool isPushed(const Body& a, const Body* b, const Eigen::Vector3d& normal);
-constexpr double kYield = 1e-2;  ///< vertical slip speed per friction force at upright sides of robots [m/s per N]
+constexpr double kYield = 1e-2;  ///< vertical slip speed per friction force where a robot pushes [m/s per N]
 
-/// Frame W. Between `startStep` and the last `isCoulombs` of a step, an OdeLock is held.
+/// Frame W. Between `startStep` and `keep`, an OdeLock is held.
 class Friction {
  public:
   /// @param memory outlives this
@@ -86,6 +86,8 @@ class Friction {
     double limit = -1.0;                              // of friction [N]; below 0: that of ODE
   };
 
+  /// Forgets the contacts of the last step.
+  void resetRubbings();
   /// The limit that the contact had in the step before; below 0: none. @pre numbers of its calls ascend
   double recall(const Rubbing& rubbing);
   /// Lays the axis by what is known before the step.
@@ -105,8 +107,9 @@ class Friction {
   ContactMemory& memory_;
   double step_ = 0.0;
   double gravity_ = 0.0;
-  std::deque<Rubbing> rubbings_;  // by number; ODE writes into them, so they must not move; there are never fewer
-  std::size_t contacts_ = 0;      // numbers of this step are less
+  std::deque<Rubbing> rubbings_;     // by number; ODE writes into them, so they must not move; there are never fewer
+  std::size_t contacts_ = 0;         // numbers of this step are less
+  bool are_rubbings_reset_ = false;  // in this step; without joints there is no need
   bool is_again_ = false;
   bool uses_memory_ = false;
 };

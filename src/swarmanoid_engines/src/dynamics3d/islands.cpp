@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "dynamics3d/momentum_balance.hpp"
 #include "dynamics3d/rope.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -60,7 +61,7 @@ void Islands::find(const std::vector<Body*>& bodies, const std::vector<Touch>& t
     body.island = solverOf(island);
     body.island_first = static_cast<int>(root);
     (body.island == Body::Island::kSmall ? has_small_ : has_others_) = true;
-    if (isLarge(island)) {
+    if (isLarge(island) && body.island != Body::Island::kSmall) {
       largest_ = std::max(largest_, island.bodies);
     }
   });
@@ -70,6 +71,9 @@ void Islands::find(const std::vector<Body*>& bodies, const std::vector<Touch>& t
 bool Islands::isLarge(const Island& island) {
   constexpr int kMostJoints = 64;            // some eight pressed footbots
   constexpr int kMostJointsOfGripped = 256;  // larger, since the iterative solver makes grip forces rough
+  if (island.bodies <= static_cast<int>(kMostNewtonBodies) && !island.has_links && !island.has_grips) {
+    return false;
+  }
   return island.joints > (island.has_grips ? kMostJointsOfGripped : kMostJoints);
 }
 

@@ -1,12 +1,13 @@
 /// The balance of momentum of an island in a step, as equations for the velocities of its bodies at the end
 /// (newton.hpp).
 ///
-/// A contact that misses a velocity gives an impulse of the missing velocity times its stiffness, as far as it may pull
-/// and rub. The limit of friction is that of the load, or fixed; with fixed limits the solution is the least of a
-/// convex energy.
+/// A contact that misses a velocity gives an impulse of the missing velocity times its stiffness, as far as it may push
+/// and rub. Friction of a contact that slips is as large as its limit, along the slip that the softness leaves. The
+/// limit is that of the load, or fixed; with fixed limits the solution is the least of a convex energy.
 #pragma once
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -78,6 +79,21 @@ class MomentumBalance {
              mover.inverse_mass * torque.dot(mover.inverse_inertia * torque);
     });
     return std::sqrt(sum);
+  }
+
+  /// Returns the error down to which solutions are looked for: rounding may allow no less for light bodies [m/s].
+  double precision() const {
+    constexpr double kEnough = 1e-9;
+    constexpr double kRounding = 1e-15;
+    double fastest = 0.0;
+    double stiffest = 0.0;
+    double lightest = 0.0;  // 1/kg
+    for (const BalanceRow& row : rows) {
+      fastest = std::max(fastest, row.missing.cwiseAbs().maxCoeff() + row.wanted.cwiseAbs().maxCoeff());
+      stiffest = std::max(stiffest, row.stiffness.maxCoeff());
+    }
+    visitBodies([&](const Mover& mover, int /*first*/) { lightest = std::max(lightest, mover.inverse_mass); });
+    return std::max(kEnough, kRounding * fastest * stiffest * lightest);
   }
 
   /// Returns the derivative of minus the missing momentum, at the missing velocities of the rows.

@@ -12,8 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kConverged = 1e-9;  // m/s
-
 BalanceRow::Momenta momentaOf(const ContactRow& contact, const Vector3d& arm, double sign) {
   BalanceRow::Momenta momenta;
   for (int i = 0; i < 3; ++i) {
@@ -146,17 +144,18 @@ bool Newton::iterateCoupled(Balance& balance, typename Balance::Unknowns& veloci
   constexpr int kMostIterations = 8;
   constexpr double kProgress = 0.2;
   typename Balance::Unknowns missing = balance.missingMomentum(velocities);
+  const double enough = balance.precision();
   double error = balance.errorOf(missing);
-  for (int i = 0; i < kMostIterations && error > kConverged; ++i) {
+  for (int i = 0; i < kMostIterations && error > enough; ++i) {
     velocities += balance.slope().partialPivLu().solve(missing);
     missing = balance.missingMomentum(velocities);
     const double before = error;
     error = balance.errorOf(missing);
-    if (i > 0 && error > std::max(kProgress * before, kConverged)) {
+    if (i > 0 && error > std::max(kProgress * before, enough)) {
       return false;
     }
   }
-  return error <= kConverged;
+  return error <= enough;
 }
 
 template <class Balance>
@@ -204,14 +203,15 @@ template <class Balance>
 bool Newton::iterateFixed(Balance& balance, typename Balance::Unknowns& velocities) {
   constexpr int kMostIterations = 100;
   typename Balance::Unknowns missing = balance.missingMomentum(velocities);
+  const double enough = balance.precision();
   double error = balance.errorOf(missing);
-  for (int i = 0; i < kMostIterations && error > kConverged; ++i) {
+  for (int i = 0; i < kMostIterations && error > enough; ++i) {
     const typename Balance::Unknowns change = balance.slope().llt().solve(missing);
     velocities += shareOf(balance, change, missing) * change;
     missing = balance.missingMomentum(velocities);
     error = balance.errorOf(missing);
   }
-  return error <= kConverged;
+  return error <= enough;
 }
 
 template <class Balance>

@@ -18,10 +18,6 @@ constexpr std::size_t kContactsTimesSweeps = 10000;  // sets the sweeps between 
 constexpr std::size_t kThoroughSweeps = 300;
 constexpr double kConverged = 1e-6;  // m/s
 
-Matrix3d crossMatrix(const Vector3d& v) {
-  return (Matrix3d() << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0).finished();
-}
-
 }  // namespace
 
 Sweeps::Weight Sweeps::weigh(const ContactRow& row, const Mover& a, const Mover& b) {

@@ -61,7 +61,7 @@ class RandomIsland {
     row.arm_a = -0.1 * normal + vector(0.05);
     row.arm_b = 0.1 * normal + vector(0.05);
     row.wanted = Vector3d(number(-0.01, 0.02), number(-0.2, 0.2), 0.0);
-    row.softness = Vector3d(number(0.0, 1.0) < 0.3 ? 1e-1 : 1e-4, 1e-4, 1e-4);
+    row.softness = Vector3d(number(0.0, 1.0) < 0.3 ? 1e-1 : 1e-4, 1e-4, number(0.0, 1.0) < 0.3 ? 1.0 : 1e-4);
     row.coefficient = number(0.0, 1.2);
     return row;
   }

@@ -40,8 +40,33 @@ bool isFused() {
 #endif
 }
 
-bool lists(const std::string& features, const std::string& feature, char separator) {
-  return (separator + features + separator).find(separator + feature + separator) != std::string::npos;
+bool lists(const std::string& features, const std::string& feature) {
+  return ("," + features + ",").find("," + feature + ",") != std::string::npos;
+}
+
+/// Features for which NumPy has versions of its own; it warns of those that the processor has not.
+std::vector<std::string> numpyFeatures() {
+  std::vector<std::string> features;
+#if defined(__x86_64__)
+  const auto add = [&](const char* name, bool has) {
+    if (has) {
+      features.emplace_back(name);
+    }
+  };
+  const bool has_skx = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+                       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
+                       __builtin_cpu_supports("avx512dq");
+  const bool has_cnl = has_skx && __builtin_cpu_supports("avx512ifma") && __builtin_cpu_supports("avx512vbmi");
+  add("FMA3", __builtin_cpu_supports("fma"));
+  add("AVX512F", __builtin_cpu_supports("avx512f"));
+  add("AVX512CD", __builtin_cpu_supports("avx512cd"));
+  add("AVX512_SKX", has_skx);
+  add("AVX512_CLX", has_skx && __builtin_cpu_supports("avx512vnni"));
+  add("AVX512_CNL", has_cnl);
+  add("AVX512_ICL", has_cnl && __builtin_cpu_supports("avx512vnni") && __builtin_cpu_supports("avx512vbmi2") &&
+                        __builtin_cpu_supports("avx512bitalg") && __builtin_cpu_supports("avx512vpopcntdq"));
+#endif
+  return features;
 }
 
 }  // namespace
@@ -70,26 +95,34 @@ std::string tunablesOfFixedMathLibrary(const std::string& tunables) {
   const auto end = std::min(tunables.find(':', start), tunables.size());
   std::string features = tunables.substr(start, end - start);
   for (const std::string feature : {"-FMA", "-FMA4"}) {
-    if (!lists(features, feature, ',')) {
+    if (!lists(features, feature)) {
       features += (features.empty() ? "" : ",") + feature;
     }
   }
   return tunables.substr(0, start) + features + tunables.substr(end);
 }
 
-std::string disabledNumpyFeatures(const std::string& features) {
-  std::string all = features;
-  for (const std::string feature :
-       {"FMA3", "AVX512F", "AVX512CD", "AVX512_SKX", "AVX512_CLX", "AVX512_CNL", "AVX512_ICL"}) {
-    if (!lists(all, feature, ' ')) {
+std::string disabledNumpyFeatures(const std::string& disabled, const std::vector<std::string>& features) {
+  constexpr const char* kSeparators = " ,\t";
+  std::string all = disabled;
+  for (const std::string& feature : features) {
+    bool is_disabled = false;
+    for (std::size_t begin = all.find_first_not_of(kSeparators); begin != std::string::npos && !is_disabled;) {
+      const std::size_t end = std::min(all.find_first_of(kSeparators, begin), all.size());
+      is_disabled = all.compare(begin, end - begin, feature) == 0;
+      begin = all.find_first_not_of(kSeparators, end);
+    }
+    if (!is_disabled) {
       all += (all.empty() ? "" : " ") + feature;
     }
   }
   return all;
 }
 
+void fixNumpy() { setenv(kNumpyVariable, disabledNumpyFeatures(valueOf(kNumpyVariable), numpyFeatures()).c_str(), 1); }
+
 void fixMathLibrary(char** arguments) {
-  setenv(kNumpyVariable, disabledNumpyFeatures(valueOf(kNumpyVariable)).c_str(), 1);
+  fixNumpy();
   if (isMathLibraryFixed()) {
     return;
   }

@@ -8,13 +8,14 @@
 ///
 /// NumPy has versions of its own for processors with AVX-512 or FMA. They differ from the library in the last bits, and
 /// NumPy takes them or not by where arrays lie in memory, so even two runs on one computer differ. The environment
-/// variable NPY_DISABLE_CPU_FEATURES hides these features of the processor from NumPy when it is imported.
+/// variable NPY_DISABLE_CPU_FEATURES hides features of the processor from NumPy when it is imported.
 ///
-/// @par Threads fixMathLibrary() is called before other threads exist; the other functions may be called from any
-/// thread.
+/// @par Threads fixMathLibrary() and fixNumpy() are called before other threads exist; the other functions may be
+/// called from any thread.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace swarmanoid {
 
@@ -29,11 +30,15 @@ std::string mathLibrary();
 /// @return that value with the setting that selects the fixed library; all other settings stay
 std::string tunablesOfFixedMathLibrary(const std::string& tunables);
 
-/// @param features a value of NPY_DISABLE_CPU_FEATURES, may be empty
-/// @return that value with the features for which NumPy has versions of its own
-std::string disabledNumpyFeatures(const std::string& features);
+/// @param disabled a value of NPY_DISABLE_CPU_FEATURES, may be empty @param features of this processor, as NumPy names
+/// them @return that value with these features
+std::string disabledNumpyFeatures(const std::string& disabled, const std::vector<std::string>& features);
 
-/// Hides those features from NumPy in this process and its children. Restarts this process in an environment that
+/// Hides from NumPy the features of this processor for which it has versions of its own, in this process and its
+/// children. It does nothing once NumPy is imported.
+void fixNumpy();
+
+/// Calls fixNumpy(), and restarts this process in an environment that
 /// selects the fixed library, which its children inherit. Nothing is lost if it is the first call in main(). It returns
 /// if there is nothing to change, or if the library cannot be changed: mathLibrary() then reports which one is in use.
 /// @param arguments argv of main()
