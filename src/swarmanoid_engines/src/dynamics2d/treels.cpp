@@ -61,13 +61,13 @@ Eigen::Vector3d sumOf(const Treels& treels, const TreelImpulses& impulses) {
 
 TreelImpulses treelImpulses(const Treels& treels, double mass, double inertia, const PlanarTwist& excess, double most,
                             const TreelImpulses& guess, int most_sweeps) {
-  const TreelImpulses holding = holdingTreels(treels, mass, inertia, excess);
+  TreelImpulses holding = holdingTreels(treels, mass, inertia, excess);
   return isHeld(holding, most) ? holding : slippingTreels(treels, mass, inertia, excess, most, guess, most_sweeps);
 }
 
 TreelImpulses improvedTreelImpulses(const Treels& treels, double mass, double inertia, const PlanarTwist& excess,
                                     double most, const TreelImpulses& impulses) {
-  const TreelImpulses holding = holdingTreels(treels, mass, inertia, excess);
+  TreelImpulses holding = holdingTreels(treels, mass, inertia, excess);
   if (isHeld(holding, most)) {
     return holding;
   }

@@ -97,10 +97,10 @@ bool Dynamics3d::correctRopes(double step) {
 }
 
 template <class MarkAstray>
-bool Dynamics3d::correct(double step, int most, std::uint64_t& count, MarkAstray markAstray) {
+bool Dynamics3d::correct(double step, int most, std::uint64_t& count, MarkAstray mark_astray) {
   bool is_solved = true;
   for (int i = 0; i < most && is_solved; ++i) {
-    markAstray();
+    mark_astray();
     if (!islands_.leaveAstray(order_)) {
       break;
     }
