@@ -52,7 +52,7 @@ class ScriptsTest(ScriptCase):
         self.assertTrue((right == 4.25).all(), right)
 
     def test_numpy_gives_the_same_bits_wherever_arrays_lie_in_memory(self):
-        """On processors with AVX-512 it takes other versions of these functions for some places, if nobody tells it not to."""
+        """On processors with AVX-512 it takes other versions of these functions for some places, unless these are hidden from it."""
         self.write("swarm.py", SWARM.replace("    def step(self, robots):\n", PLACES, 1))
         environment = {name: value for name, value in os.environ.items() if name != "NPY_DISABLE_CPU_FEATURES"}
         done = subprocess.run(["swarmanoid", "run", str(self.experiment("together")), "--quiet", "--ticks", "3"], env=environment,

@@ -156,7 +156,7 @@ struct Body {
   enum class Island {
     kNone,     ///< no island: between steps, or with `iterative`
     kSmall,    ///< ODE's exact solver
-    kSolved,   ///< likewise, while the solutions of other islands are corrected
+    kSolved,   ///< ODE's exact solver, which corrects other islands now
     kLarge,    ///< ODE's iterative solver
     kContacts  ///< contact solver
   };

@@ -16,7 +16,7 @@ namespace swarmanoid::dynamics3d {
 struct Mover {
   dBodyID rigid = nullptr;
   double mass = 0.0;                                          ///< 0: nothing moves it [kg]
-  double inverse_mass = 0.0;                                  ///< 0: likewise [1/kg]
+  double inverse_mass = 0.0;                                  ///< 0: nothing moves it [1/kg]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();          ///< about the centre of mass [kg m2]
   Eigen::Matrix3d inverse_inertia = Eigen::Matrix3d::Zero();  ///< [1/(kg m2)]
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();           ///< of the centre of mass [m/s]

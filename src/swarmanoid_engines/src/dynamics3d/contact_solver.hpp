@@ -37,7 +37,6 @@ class ContactSolver {
   void wantVelocity(const dContact& contact, ContactRow& row) const;
   void recall(ContactRow& row);
   void sortByIslands();
-  void solveIsland(const IslandRows& island, bool is_settling);
   void addForces() const;
   void keep();
 

@@ -59,7 +59,7 @@ class Islands {
 
   std::vector<std::size_t> parents_;  // union-find forest, by rank; roots are the first bodies of their islands
   std::vector<Island> islands_;       // by rank; valid for roots
-  std::vector<char> is_astray_;       // likewise
+  std::vector<char> is_astray_;       // by rank; valid for roots
   int largest_ = 0;                   // bodies of the largest large island
   int largest_ever_ = 0;
   bool has_small_ = false;

@@ -4,6 +4,8 @@
 /// A contact that misses a velocity gives an impulse of the missing velocity times its stiffness, as far as it may push
 /// and rub. Friction of a contact that slips is as large as its limit, along the slip that the softness leaves. The
 /// limit is that of the load, or fixed; with fixed limits the solution is the least of a convex energy.
+///
+/// Frame W, SI units. Threads: any at once, each with its own balance.
 #pragma once
 
 #include <Eigen/LU>
@@ -17,9 +19,10 @@ namespace swarmanoid::dynamics3d {
 
 /// Linear velocity of the centre of mass, then angular velocity, in W.
 constexpr int kUnknownsOfABody = 6;
+/// Movable bodies of an island; the matrix of more takes longer than sweeps do.
 constexpr std::size_t kMostNewtonBodies = 4;
 
-/// A contact, with its bodies as unknowns. Vectors are along the contact's axes.
+/// A contact, with the velocities of its bodies as unknowns. Vectors are along the contact's axes.
 struct BalanceRow {
   using Momenta = Eigen::Matrix<double, kUnknownsOfABody, 3>;
 
@@ -27,7 +30,7 @@ struct BalanceRow {
   int a = -1;  ///< index of the first of its unknowns; -1: immovable
   int b = -1;
   Momenta on_a = Momenta::Zero();                       ///< momentum by a unit of impulse along each axis, in columns
-  Momenta on_b = Momenta::Zero();                       ///< likewise
+  Momenta on_b = Momenta::Zero();                       ///< the same of b
   Eigen::Vector3d stiffness = Eigen::Vector3d::Zero();  ///< impulse per missing velocity [N s per m/s]
   Eigen::Vector3d wanted = Eigen::Vector3d::Zero();     ///< beyond the velocity of what is immovable [m/s]
   double limit = -1.0;                                  ///< of friction [N s]; below 0: by the load

@@ -5,8 +5,8 @@
 /// each impulse is a function of the velocities, with kinks where a contact opens or begins to slip; the method is
 /// semi-smooth (L. Qi and J. Sun, A nonsmooth version of Newton's method, Mathematical Programming 58, 1993). It starts
 /// from the solution under the assumption that the same contacts press and slip as in the last step. Where it does not
-/// converge, limits of friction are fixed, which is a convex problem and always solvable, and follow the loads of each
-/// solution until both agree.
+/// converge, limits of friction are fixed, which is a convex problem, and follow the loads of each solution until both
+/// agree.
 ///
 /// Some islands have no solution (P. Painleve's paradox). Their friction is that of loads which alternate from one
 /// solution to the next.
