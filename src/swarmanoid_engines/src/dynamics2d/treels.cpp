@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics2d/friction.hpp"
+#include "common/coulomb_friction.hpp"
 #include "planar/plane.hpp"
 
 namespace swarmanoid::dynamics2d {

@@ -61,7 +61,7 @@ void Islands::find(const std::vector<Body*>& bodies, const std::vector<Touch>& t
     body.island = solverOf(island);
     body.island_first = static_cast<int>(root);
     (body.island == Body::Island::kSmall ? has_small_ : has_others_) = true;
-    if (isLarge(island) && body.island != Body::Island::kSmall) {
+    if (isLarge(island)) {
       largest_ = std::max(largest_, island.bodies);
     }
   });

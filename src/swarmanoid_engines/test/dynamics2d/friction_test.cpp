@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics2d/friction.hpp"
+#include "common/coulomb_friction.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics2d {

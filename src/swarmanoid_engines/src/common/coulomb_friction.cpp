@@ -1,9 +1,9 @@
-#include "dynamics2d/friction.hpp"
+#include "common/coulomb_friction.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace swarmanoid::dynamics2d {
+namespace swarmanoid {
 
 Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, double most) {
   constexpr int kMostIterations = 30;
@@ -37,4 +37,4 @@ Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vecto
   return friction * (most / size);
 }
 
-}  // namespace swarmanoid::dynamics2d
+}  // namespace swarmanoid

@@ -1,9 +1,9 @@
-/// Coulomb's friction in the plane: the force that holds back a place of contact that slips.
+/// Coulomb's friction along a surface: the force that holds back a place of contact that slips. Threads: any at once.
 #pragma once
 
 #include <Eigen/Core>
 
-namespace swarmanoid::dynamics2d {
+namespace swarmanoid {
 
 /// The friction that ends a slip, or, if that takes more than the ground holds, the largest one, against the slip that
 /// remains. So it is exact for any mass behind the place of contact, and for steps of any length.
@@ -12,4 +12,4 @@ namespace swarmanoid::dynamics2d {
 /// @param most friction [N]; in impulses instead of forces, all in N s
 Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, double most);
 
-}  // namespace swarmanoid::dynamics2d
+}  // namespace swarmanoid
