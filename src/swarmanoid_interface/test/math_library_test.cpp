@@ -41,6 +41,16 @@ TEST(NumpyFeaturesTest, AreAddedToThoseThatAreDisabledAlready) {
   EXPECT_EQ(disabledNumpyFeatures("AVX2", {}), "AVX2");
 }
 
+TEST(NumpyFeaturesTest, AreThoseOfTheSetupFiles) {
+  const char* const found = std::getenv("NPY_DISABLE_CPU_FEATURES");
+  if (found == nullptr) {
+    GTEST_SKIP() << "no setup file was sourced, or the processor has none of these features";
+  }
+  const std::string before = found;
+  fixNumpy();
+  EXPECT_EQ(std::getenv("NPY_DISABLE_CPU_FEATURES"), before);
+}
+
 #if defined(__GLIBC__) && defined(__x86_64__)
 
 /// An argument whose sine differs in the last bit, the same way in the glibc of Debian 12 and 13.

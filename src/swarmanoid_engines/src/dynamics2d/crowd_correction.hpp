@@ -3,6 +3,8 @@
 /// Gaps are linear in small displacements. A round computes all gaps and their gradients once, then sweeps over the
 /// contacts and pushes each pair of bodies apart until no contact is deeper than allowed. A round ends early when a
 /// body has moved so far that the gaps must be computed again.
+///
+/// Axes of the plane, SI units. Threads: one at a time for each object.
 #pragma once
 
 #include <vector>

@@ -9,10 +9,11 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-/// Of treels that cannot both do what is asked of them: each with what the ground holds, against its slip. One after
-/// the other, again and again, until none changes.
+/// Of treels that cannot both do what is asked of them. One after the other, again and again, until none changes.
+/// @param friction impulse of a treel, from the yield of its place, its slip with all impulses, and its impulse so far
+template <class Friction>
 TreelImpulses slippingTreels(const Treels& treels, double mass, double inertia, const PlanarTwist& excess, double most,
-                             TreelImpulses impulses, int most_sweeps) {
+                             TreelImpulses impulses, int most_sweeps, Friction friction) {
   constexpr double kSettled = 1e-7;  // of the most that there can be
   const Eigen::Vector3d sum = sumOf(treels, impulses);
   Eigen::Vector2d velocity = excess.head<2>() + sum.head<2>() / mass;
@@ -27,8 +28,8 @@ TreelImpulses slippingTreels(const Treels& treels, double mass, double inertia, 
   for (int sweep = 0; sweep < most_sweeps && change > kSettled * most; ++sweep) {
     change = 0.0;
     for (std::size_t i = 0; i < impulses.size(); ++i) {
-      const Eigen::Vector2d slip = velocity + turn_rate * across[i] - yields[i] * impulses[i];
-      const Eigen::Vector2d added = coulombFriction(yields[i], slip, most) - impulses[i];
+      const Eigen::Vector2d slip = velocity + turn_rate * across[i];
+      const Eigen::Vector2d added = friction(yields[i], slip, impulses[i]) - impulses[i];
       impulses[i] += added;
       velocity += added / mass;
       turn_rate += across[i].dot(added) / inertia;
@@ -62,7 +63,14 @@ Eigen::Vector3d sumOf(const Treels& treels, const TreelImpulses& impulses) {
 TreelImpulses treelImpulses(const Treels& treels, double mass, double inertia, const PlanarTwist& excess, double most,
                             const TreelImpulses& guess, int most_sweeps) {
   TreelImpulses holding = holdingTreels(treels, mass, inertia, excess);
-  return isHeld(holding, most) ? holding : slippingTreels(treels, mass, inertia, excess, most, guess, most_sweeps);
+  if (isHeld(holding, most)) {
+    return holding;
+  }
+  return slippingTreels(
+      treels, mass, inertia, excess, most, guess, most_sweeps,
+      [most](const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, const Eigen::Vector2d& before) {
+        return coulombFriction(yield, slip - yield * before, most);
+      });
 }
 
 TreelImpulses improvedTreelImpulses(const Treels& treels, double mass, double inertia, const PlanarTwist& excess,
@@ -71,24 +79,14 @@ TreelImpulses improvedTreelImpulses(const Treels& treels, double mass, double in
   if (isHeld(holding, most)) {
     return holding;
   }
-  TreelImpulses improved = impulses;
-  const Eigen::Vector3d sum = sumOf(treels, impulses);
-  Eigen::Vector2d velocity = excess.head<2>() + sum.head<2>() / mass;
-  double turn_rate = excess.z() + sum.z() / inertia;
-  for (std::size_t i = 0; i < improved.size(); ++i) {
-    const Eigen::Vector2d& place = i == 0 ? treels.left : treels.right;
-    const Eigen::Vector2d across(-place.y(), place.x());
-    // one step of the projection whose fixed point is Coulomb's law: the slip's impulse, as far as the ground holds
-    const double stiffness = 1.0 / (1.0 / mass + place.squaredNorm() / inertia);
-    Eigen::Vector2d now = improved[i] - stiffness * (velocity + turn_rate * across);
-    const double square = now.squaredNorm();
-    now *= square > most * most ? most / std::sqrt(square) : 1.0;
-    const Eigen::Vector2d added = now - improved[i];
-    improved[i] = now;
-    velocity += added / mass;
-    turn_rate += across.dot(added) / inertia;
-  }
-  return improved;
+  // one step of the projection whose fixed point is Coulomb's law: what ends the slip, as far as the ground holds
+  return slippingTreels(treels, mass, inertia, excess, most, impulses, 1,
+                        [=](const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, const Eigen::Vector2d& before) {
+                          const double largest = yield.trace() - 1.0 / mass;  // eigenvalue
+                          const Eigen::Vector2d now = before - slip / largest;
+                          const double square = now.squaredNorm();
+                          return Eigen::Vector2d(square > most * most ? most / std::sqrt(square) * now : now);
+                        });
 }
 
 }  // namespace swarmanoid::dynamics2d

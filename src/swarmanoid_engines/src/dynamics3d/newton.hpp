@@ -8,8 +8,8 @@
 /// converge, limits of friction are fixed, which is a convex problem, and follow the loads of each solution until both
 /// agree.
 ///
-/// Some islands have no solution (P. Painleve's paradox). Their friction is that of loads which alternate from one
-/// solution to the next.
+/// Coulomb's law need not have a solution (P. Painleve's paradox). Friction of such islands is that of loads which
+/// alternate from one solution to the next. Threads: one at a time for each object.
 #pragma once
 
 #include <array>

@@ -110,7 +110,7 @@ bool isCoulombs(const ContactRow& row, const std::vector<Mover>& movers) {
 }
 
 TEST(NewtonTest, SolutionsObeyCoulombsLaw) {
-  // some of such islands have no solution (Painleve); these are left with the friction of loads that alternate
+  // Coulomb's law need not have a solution (Painleve); such islands are left with friction that alternates
   constexpr int kIslands = 2000;
   Newton newton;
   newton.reserve();
