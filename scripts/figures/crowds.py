@@ -8,9 +8,14 @@ from typing import NamedTuple
 import numpy
 import swarmanoid
 
-RADIUS = 0.085        # of a footbot's body [m]
+RADIUS = 0.085        # of a footbot's body, a cylinder [m]
+HALF_HEIGHT = 0.068   # of it [m]
+CENTRE = 0.078        # of it, above the ground [m]
+UPRIGHT = 1e-6        # robots that lean less stand upright [rad]
+NEAR = 0.25           # robots that are farther apart do not touch [m]
 SECONDS = 35.0        # in which the crowd forms
 MEASURED = 40         # ticks at the end
+SAMPLES = 50          # of the overlap
 FASTEST = 8.0         # of wheels [rad/s]
 ROBOTS = (20, 150, 1000)
 ALLOWED_FACTOR, ALLOWED_MS = 5.0, 0.1  # of the free tick, and a robot
@@ -60,12 +65,54 @@ def tick_ms(run):
     return 1e3 * (time.process_time() - begin) / MEASURED
 
 
+def axes_of(poses):
+    """@return upward axes of robots, one a row"""
+    x, y, z, w = poses[:, 3:7].T
+    return numpy.column_stack((2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)))
+
+
+def reach(axes, directions):
+    """@return how far bodies reach from their centres along unit directions [m]"""
+    along = numpy.clip(numpy.abs((axes * directions).sum(-1)), 0, 1)
+    return HALF_HEIGHT * along + RADIUS * numpy.sqrt(1 - along**2)
+
+
+def depths(centres_a, axes_a, centres_b, axes_b):
+    """@return for each pair of bodies, the shortest way that parts them [m]: the least over all directions, found by
+    grids that get finer"""
+    apart = centres_b - centres_a
+    azimuth = numpy.arctan2(apart[:, 1], apart[:, 0])
+    elevation = numpy.zeros_like(azimuth)
+    pairs = numpy.arange(len(apart))
+    grid_a, grid_e = (g.ravel() for g in numpy.meshgrid(numpy.linspace(-1, 1, 11), numpy.linspace(-1, 1, 11)))
+    width = 1.0  # of half a grid [rad]
+    while width > 1e-6:
+        a, e = azimuth[:, None] + width * grid_a, elevation[:, None] + width * grid_e
+        directions = numpy.stack((numpy.cos(e) * numpy.cos(a), numpy.cos(e) * numpy.sin(a), numpy.sin(e)), -1)
+        depth = (reach(axes_a[:, None], directions) + reach(axes_b[:, None], directions)
+                 - (apart[:, None] * directions).sum(-1))
+        best = depth.argmin(1)
+        azimuth, elevation = a[pairs, best], e[pairs, best]
+        width *= 0.4
+    return depth[pairs, best]
+
+
 def overlap_of(run, side):
-    """@return largest overlap of two robots, or of a robot and a wall [m]; a robot that leans counts as upright"""
-    places = run.robots.poses[:, :2]
-    deepest = max(RADIUS - places.min(), places.max() + RADIUS - side)
-    for i in range(1, len(places)):
-        deepest = max(deepest, 2 * RADIUS - numpy.hypot(*(places[:i] - places[i]).T).min())
+    """@return largest overlap of the bodies of two robots, or of a robot and a wall [m]"""
+    poses = run.robots.poses
+    axes = axes_of(poses)
+    centres = poses[:, :3] + CENTRE * axes
+    sideways = numpy.stack([reach(axes, direction) for direction in numpy.eye(3)[:2]], -1)
+    deepest = max((sideways - centres[:, :2]).max(), (centres[:, :2] + sideways).max() - side)
+    for i in range(1, len(centres)):
+        apart = numpy.hypot(*(centres[:i] - centres[i]).T[:2])
+        lean = numpy.maximum(numpy.hypot(*axes[:i].T[:2]), numpy.hypot(*axes[i, :2]))
+        upright = lean < UPRIGHT
+        deepest = max(deepest, (2 * RADIUS - apart[upright]).max(initial=-1))
+        near, = numpy.nonzero(~upright & (apart < NEAR))
+        if near.size:
+            same = numpy.full(near.size, i)
+            deepest = max(deepest, depths(centres[near], axes[near], centres[same], axes[same]).max())
     return deepest
 
 
@@ -80,8 +127,8 @@ def crowds(table):
             overlap = 0.0
             with simulation(case, robots, side) as pressed:
                 ticks = round(1e3 * SECONDS / case.tick_ms)
-                for _ in range(10):
-                    pressed.tick(ticks // 10)
+                for _ in range(SAMPLES):
+                    pressed.tick(ticks // SAMPLES)
                     overlap = max(overlap, overlap_of(pressed, side))
                 pressed_ms = tick_ms(pressed)
             allowed = ALLOWED_FACTOR * free_ms + ALLOWED_MS * robots

@@ -173,6 +173,7 @@ void Dynamics2d::clear() {
   mirrors_.clear();
   grippers_.clear();
   contacts_.clear();
+  crowd_memory_.clear();
   travelled_ = 0.0;
 }
 

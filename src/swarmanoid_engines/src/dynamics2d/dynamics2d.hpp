@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics2d/crowd_memory.hpp"
 #include "dynamics2d/island.hpp"
 #include "dynamics2d/rigid_body.hpp"
 #include "planar/planar_engine.hpp"
@@ -120,6 +121,10 @@ class Dynamics2d final : public planar::PlanarEngine {
   /// In how many pieces each step of the island is made in this tick. @param step [s]
   int countPieces(double step);
   void moveIsland(double tick);
+  BodyNumbers numbersOf(int place_a, int place_b) const;
+  /// Fills the contacts of the last tick.
+  void recallContacts(double step);
+  void keepContacts(double step);
   void addConstraints(BodyIndex index, double step);
   const Support& supportOf(BodyIndex index);
   void addGrip(BodyIndex index);
@@ -172,6 +177,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   std::vector<Near> near_of_island_;
   std::vector<std::pair<int, int>> order_of_islands_;  // root and rank of those present
   Island island_;                                      // that moves
+  CrowdMemory crowd_memory_;                           // of large islands
   std::vector<DrawnContact> contacts_;                 // of the last steps of this tick
   std::vector<ContactShape> tried_shapes_;             // scratch of gapAround
 };

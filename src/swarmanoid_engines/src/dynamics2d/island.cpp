@@ -177,21 +177,23 @@ std::size_t Island::countConstraints() const {
   return contacts_.size() + grips.size() + 2 * treels.size() + 4 * supports.size() + flights.size() + 1;
 }
 
+bool Island::isLarge() const { return countConstraints() > kSmall; }
+
 void Island::solve(int most_sweeps) {
   // What a large island is left with when time is up is corrected in positions, and goes on in the next step.
   constexpr double kExact = 1e-6;    // m/s
   constexpr double kSettled = 2e-5;  // m/s
   constexpr std::size_t kMostWork = 4000;
   constexpr std::size_t kLeastSweeps = 12;
-  const std::size_t count = countConstraints();
-  const double settled = count <= kSmall ? kExact : kSettled;
-  const std::size_t fit = count <= kSmall ? static_cast<std::size_t>(most_sweeps) : kMostWork / count;
+  const bool is_large = isLarge();
+  const double settled = is_large ? kSettled : kExact;
+  const std::size_t fit = is_large ? kMostWork / countConstraints() : static_cast<std::size_t>(most_sweeps);
   const int sweeps = std::min(most_sweeps, static_cast<int>(std::max(kLeastSweeps, fit)));
   for (SolverBody& body : bodies) {
     body.last_change = 0;
   }
   for (TreelConstraint& treel : treels) {
-    treel.is_exact = count <= kSmall;
+    treel.is_exact = !is_large;
   }
   bool has_changed = true;
   for (int i = 0; i < sweeps && has_changed; ++i) {
@@ -207,12 +209,12 @@ void Island::correct() {
   constexpr int kMostCorrections = 40;
   constexpr double kExact = 2e-5;   // m
   constexpr double kEnough = 1e-4;  // m
-  const bool is_small = countConstraints() <= kSmall;
-  if (!is_small && grips.empty()) {
+  const bool is_large = isLarge();
+  if (is_large && grips.empty()) {
     crowd_correction_.correct(bodies, contacts_, kEnough);
     return;
   }
-  const double allowed = is_small ? kExact : kEnough;
+  const double allowed = is_large ? kEnough : kExact;
   for (int i = 0; i < kMostCorrections; ++i) {
     double wrong = 0.0;
     for (const GripConstraint& grip : grips) {

@@ -5,7 +5,8 @@
 /// other. All of it is in double precision. A contact leaves two bodies the approach that just closes their gap, so
 /// nothing is overlooked that is faster than a step is short.
 ///
-/// Nothing is kept from tick to tick but the poses and velocities of bodies. Threads: one at a time for each island.
+/// Small islands keep nothing from tick to tick but the poses and velocities of bodies; large ones keep the forces in
+/// contacts, too (crowd_memory.hpp). Threads: one at a time for each island.
 #pragma once
 
 #include <vector>
@@ -43,6 +44,9 @@ class Island {
   /// @return its place
   int add(const SolverBody& body, const Outline& outline);
 
+  /// Contacts of the last tick, by pair, from whose impulses the first step starts; the caller fills them before it.
+  std::vector<ContactConstraint>& contactsOfLastTick() { return contacts_; }
+
   SolverBodies bodies;
   std::vector<TreelConstraint> treels;
   std::vector<SupportConstraint> supports;
@@ -59,6 +63,8 @@ class Island {
   double gapAround(int body, const std::vector<ContactShape>& shapes, double margin) const;
   /// The smallest gap between the bodies of a pair; at most `margin` [m].
   double gapOf(const BodyPair& pair, double margin) const;
+  /// Whether it is solved less exactly than small ones, within a bounded time.
+  bool isLarge() const;
   /// Those of the last step.
   const std::vector<ContactConstraint>& contacts() const { return contacts_; }
 

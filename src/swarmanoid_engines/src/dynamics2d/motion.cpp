@@ -53,6 +53,7 @@ void Dynamics2d::startTick(const Space& space, double tick) {
 }
 
 void Dynamics2d::finishTick(Space& space, double tick) {
+  crowd_memory_.finishTick();
   const planar::Plane& plane = bodies_.plane();
   for (const BodyIndex index : movers_) {
     RigidBody& rigid_body = rigid(index);

@@ -122,6 +122,11 @@ void Dynamics2d::addConstraints(BodyIndex index, double step) {
     treels.treels = &rigid_body.treels;
     treels.command << velocity, rigid_body.turn_rate;
     treels.most = rigid_body.traction * step;
+    if (!island_.contactsOfLastTick().empty()) {
+      for (std::size_t i = 0; i < treels.impulses.size(); ++i) {
+        treels.impulses[i] = bodies_[index].pose.unrotated(rigid_body.treel_forces[i]) * step;
+      }
+    }
     island_.treels.push_back(treels);
     return;
   }
@@ -130,6 +135,24 @@ void Dynamics2d::addConstraints(BodyIndex index, double step) {
   friction.support = &supportOf(index);
   friction.most = material_.ground_friction * rigid_body.mass * material_.gravity * step;
   island_.supports.push_back(friction);
+}
+
+BodyNumbers Dynamics2d::numbersOf(int place_a, int place_b) const {
+  return {bodies_[members_[static_cast<std::size_t>(place_a)]].number,
+          bodies_[members_[static_cast<std::size_t>(place_b)]].number};
+}
+
+void Dynamics2d::recallContacts(double step) {
+  for (std::size_t i = 0; i < island_.pairs.size(); ++i) {
+    const BodyPair& pair = island_.pairs[i];
+    crowd_memory_.recall(numbersOf(pair.a, pair.b), static_cast<int>(i), step, island_.contactsOfLastTick());
+  }
+}
+
+void Dynamics2d::keepContacts(double step) {
+  for (const ContactConstraint& contact : island_.contacts()) {
+    crowd_memory_.keep(numbersOf(contact.a, contact.b), contact, step);
+  }
 }
 
 const Support& Dynamics2d::supportOf(BodyIndex index) {
@@ -162,6 +185,7 @@ void Dynamics2d::moveIsland(double tick) {
   }
   const int pieces = countPieces(tick / subclock_);
   const double step = tick / (subclock_ * pieces);
+  recallContacts(step);
   for (std::size_t i = 0; i < movable_members_; ++i) {
     addConstraints(members_[i], step);
   }
@@ -190,6 +214,9 @@ void Dynamics2d::readGrips(double step) {
 void Dynamics2d::readIsland(double step) {
   readMotions();
   noteForces(step);
+  if (island_.isLarge()) {
+    keepContacts(step);
+  }
   for (const BodyIndex index : members_) {
     rigid(index).place = -1;
   }

@@ -23,7 +23,7 @@ void ContactSolver::startStep(dWorldID world, double step, std::size_t bodies) {
 void ContactSolver::startMovers() {
   rows_.reserve(kMostTouchesOfABody * bodies_);
   order_.reserve(kMostTouchesOfABody * bodies_);
-  sweeps_.reserve(kMostTouchesOfABody * bodies_);
+  sweeps_.reserve(kMostTouchesOfABody * bodies_, bodies_ + 1);
   newton_.reserve();
   movers_.reserve(bodies_ + 1);
   movers_.assign(1, Mover{});
