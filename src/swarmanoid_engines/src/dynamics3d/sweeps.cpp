@@ -14,12 +14,13 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 
 // Small islands converge within a step; in large crowds forces spread over some steps.
-constexpr std::size_t kFewestSweeps = 40;
+constexpr std::size_t kFewestSweeps = 48;
 constexpr std::size_t kMostSweeps = 100;
 constexpr std::size_t kContactsTimesSweeps = 10000;  // sets the sweeps between these two limits
 constexpr std::size_t kThoroughSweeps = 300;
 constexpr std::size_t kSweepsOverOthers = 7;  // after each sweep over all contacts
 constexpr double kConverged = 1e-4;           // m/s, a thousandth of what gravity adds in a step of 10 ms
+constexpr double kRough = 0.01;               // m/s: faster changes are impacts, which get more sweeps
 constexpr double kConvergedThorough = 1e-6;   // m/s
 
 /// Puts the first column, the normal's, last.
@@ -173,6 +174,9 @@ double Sweeps::sweep() {
 void Sweeps::repeat(std::size_t most, double converged) {
   std::size_t sweeps = 0;
   double change = 0.0;  // m/s
+  const auto mayGoOn = [&](double largest) {
+    return largest > converged && (sweeps < most || (largest > kRough && sweeps < kThoroughSweeps));
+  };
   do {
     visited_.clear();
     for (Contact& contact : contacts_) {
@@ -183,11 +187,11 @@ void Sweeps::repeat(std::size_t most, double converged) {
     const auto is_quiet = [&](const Contact* contact) { return contact->change <= converged; };
     visited_.erase(std::remove_if(visited_.begin(), visited_.end(), is_quiet), visited_.end());
     double of_others = change;
-    for (std::size_t i = 0; i < kSweepsOverOthers && sweeps < most && of_others > converged; ++i) {
+    for (std::size_t i = 0; i < kSweepsOverOthers && mayGoOn(of_others); ++i) {
       of_others = sweep();
       ++sweeps;
     }
-  } while (change > converged && sweeps < most);
+  } while (mayGoOn(change));
 }
 
 void Sweeps::solve(const std::vector<std::size_t>& order, const IslandRows& island, bool is_thorough,
