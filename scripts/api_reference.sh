@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# api_reference.sh [FOLDER]: the reference of the C++ interfaces, as web pages; by default in build/api_reference. Every warning of
-# Doxygen is an error.
+# api_reference.sh [FOLDER]: generates the reference of the C++ interfaces as web pages, by default in build/api_reference. Warnings
+# of Doxygen are errors.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 output=${1:-$root/build/api_reference}

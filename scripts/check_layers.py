@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that packages, and rooms inside of packages, include each other only along the arrows of
-docs/explanation/architecture.md, that logic stays free of ROS, that what serves all robots names none, and that no file grows beyond
-its bound."""
+"""Checks that packages, and rooms inside packages, include each other only along the arrows of docs/explanation/architecture.md,
+that logic is free of ROS, that code for all robots names no robot, and that no file exceeds its maximum length."""
 
 import os
 import pathlib
@@ -11,7 +10,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MOST_LINES = 500
 NAMELESS = ("swarmanoid_interface", "swarmanoid_hosts", "swarmanoid_space", "swarmanoid_engines")  # outside folders `devices`
-COMMENT = re.compile(r"//.*|/\*.*?\*/|\w+_sample_controller|sample_\w+_controller")  # they stand in experiment files of the thesis
+COMMENT = re.compile(r"//.*|/\*.*?\*/|\w+_sample_controller|sample_\w+_controller")  # names in experiment files of the thesis
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 
@@ -25,7 +24,7 @@ def arrows():
 
 
 def room_arrows():
-    """Reads lines such as "swarmanoid_space/state -> models": by package, what each of its rooms may include."""
+    """Reads lines such as "swarmanoid_space/state -> models". @return by package, the rooms that each room may include"""
     text = (ROOT / "docs/explanation/architecture.md").read_text()
     allowed = {}
     for package, room, others in re.findall(r"^    (swarmanoid_\w+)/(\S+) -> (.+)$", text, re.M):
@@ -35,14 +34,14 @@ def room_arrows():
 
 
 def room_of(path):
-    """The folder that a source or public header lies in: "ros/recording"; "." for none. @param path in the repository"""
+    """Folder of a source or public header in its package, such as "ros/recording", or ".". @param path in the repository"""
     package = path.parts[1]
     inside = path.parts[4:-1] if path.parts[2:4] == ("include", package) else path.parts[3:-1]
     return "/".join(inside) or "."
 
 
 def included(path, name):
-    """The file of the same package that an include means; None: of another one."""
+    """The included file, or None if it is in another package."""
     package = path.parts[1]
     if name.startswith(package + "/"):
         return pathlib.Path("src", package, "include", name)
@@ -51,9 +50,9 @@ def included(path, name):
 
 
 def room_problem(path, name, rooms):
-    """@return what is wrong with that include, or None"""
+    """@return the error in that include, or None"""
     if path.parts[2] not in ("include", "src"):
-        return None  # tests look into every room
+        return None  # tests may include all rooms
     room = room_of(path)
     if room not in rooms:
         return f"the room {room} is not on the page"
@@ -64,18 +63,18 @@ def room_problem(path, name, rooms):
 
 
 def ros_allowed(path):
-    """ROS is an edge: only files in a folder `ros`, nodelets and rostests may know it."""
+    """Whether a file may use ROS: only files in a folder `ros`, nodelets and rostests may."""
     return "ros" in path.parts or "rostest" in path.parts or "nodelet" in path.name
 
 
 def robot_names():
-    """A pattern of the robots of the suite."""
+    """A pattern that matches the names of the suite's robots."""
     names = sorted(path.stem for path in ROOT.glob("src/swarmanoid_description/urdf/*.urdf"))
     return re.compile("|".join(names), re.I)
 
 
 def may_name_robots(path):
-    """Devices belong to robots, and so do their topics, and tests try both."""
+    """Whether a file may name robots: devices, their topics and tests may."""
     return (path.parts[1] not in NAMELESS or path.parts[2] not in ("src", "include")
             or {"devices", "topics", "testing"} & set(path.parts))
 

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""compare_builds.py BEFORE AFTER: whether two builds of the suite run alike: the guard of changes that should change nothing.
+"""compare_builds.py BEFORE AFTER: checks that two builds of the suite give equal runs, for changes that must not change results.
 
 BEFORE and AFTER are build folders. All installed experiments and the retrieval in each mapping of engines are run and recorded with
-both, with one thread and with two, and compared field by field (`swarmanoid diff`); with --launched also under ROS. Then the
-instructions of five runs are counted by callgrind, without what building the experiment takes. Ends with 0 if every field is
-equal and no count is above the limit."""
+both, with one thread and with two, and compared field by field (`swarmanoid diff`); with --launched also under ROS. Then callgrind
+counts the instructions of five runs, without those for building the experiment. The exit code is 0 if all fields are equal and no
+count is above the limit."""
 
 import argparse
 import itertools
@@ -20,7 +20,7 @@ import engines  # noqa: E402  pylint: disable=wrong-import-position
 from instruction_counts import EXPERIMENTS, LIMIT, Build, counts  # noqa: E402  pylint: disable=wrong-import-position
 from roslaunch_process import free_port  # noqa: E402  pylint: disable=wrong-import-position
 
-EQUAL = re.compile(r"equal: .* of all named state, .* of readings and commands")  # and nothing less compared
+EQUAL = re.compile(r"equal: .* of all named state, .* of readings and commands")  # a full comparison
 
 
 def record(build, experiment, seed, threads, bag):
@@ -37,7 +37,7 @@ def record_launched(build, experiment, seed, bag):
 
 
 def experiments(folder):
-    """All installed ones, and the retrieval with each engine for footbots and eyebot."""
+    """All installed experiments, and the retrieval with each engine for footbots and eyebot."""
     yield from sorted(EXPERIMENTS.glob("*.xml"))
     text = (EXPERIMENTS / "object_retrieval.xml").read_text()
     for ground, sky in itertools.product(engines.ENGINES["ground"], engines.ENGINES["sky"]):
@@ -48,7 +48,7 @@ def experiments(folder):
 
 
 def compare_bits(before, after, arguments):
-    """@return how many comparisons found something"""
+    """@return number of comparisons with differences"""
     differing = 0
     with tempfile.TemporaryDirectory(prefix="swarmanoid_compare_") as folder:
         first, second = (pathlib.Path(folder) / name for name in ("before.bag", "after.bag"))
@@ -71,7 +71,7 @@ def compare_bits(before, after, arguments):
 
 
 def compare_counts(before, after):
-    """@return how many are above the limit"""
+    """@return number of counts above the limit"""
     above = 0
     for name, (old, new) in counts(before, after):
         above += new > LIMIT * old

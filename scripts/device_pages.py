@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes into the pages of docs/reference/devices/ what the code says of each device of the suite.
+"""Writes the descriptions of the suite's devices into the pages of docs/reference/devices/.
 
-A page begins with what `swarmanoid describe` prints of the device and its default implementation, between two comments.
-Below them people write the section Law, by which readings are made or commands carried out, and the section Topics. A
-device that has no page yet gets one, with an empty law."""
+A page begins with the output of `swarmanoid describe` for the device and its default implementation, between two comments.
+The sections below are written by hand: Law, which defines how readings are computed or commands executed, and Topics. A device
+without a page gets one, with an empty law."""
 
 import argparse
 import difflib
@@ -28,20 +28,20 @@ LAW = re.compile(r"^## Law\n(.*?)(?=^## |\Z)", re.M | re.S)
 
 
 def described(build):
-    """What the program of a build folder says of each device, by type."""
+    """Descriptions of the devices by type, from the program of a build folder."""
     with tempfile.TemporaryDirectory(prefix="swarmanoid_pages_") as home:
         environment = sourced(bare(home), str(build / "devel/setup.bash"))
         return by_device(succeed(["swarmanoid", "describe"], environment))
 
 
 def by_device(text):
-    """@param text what `swarmanoid describe` prints"""
+    """@param text output of `swarmanoid describe`"""
     parts = re.split(r"^# (\w+)\n", text, flags=re.M)[1:]
     return {name: f"# {name}\n{part.rstrip()}\n" for name, part in zip(parts[::2], parts[1::2])}
 
 
 def of_default(description):
-    """Without the implementations that are not the default: who adds one need not touch a page."""
+    """A description without implementations other than the default, so that adding one changes no page."""
     if len(IMPLEMENTATION.findall(description)) == 1:
         return description
     kept = IMPLEMENTATION.sub(lambda found: found[0].replace(DEFAULT, "") if DEFAULT in found[0] else "", description)
@@ -49,20 +49,20 @@ def of_default(description):
 
 
 def generated(description):
-    """The part of a page that is not written by hand."""
+    """The generated part of a page."""
     name = re.match(r"# (\w+)\n", description)[1]
     linked = HEADER.sub(r"[`\1`](../../../src/\2/include/\1)", of_default(description))
     return f"{BEGIN}\n{linked}{IN_COMMON.format(name)}\n{END}"
 
 
 def parts_of(page):
-    """@return what was generated, and what was written by hand; None if the comments are not there"""
+    """@return the generated and the handwritten part; None if the comments are missing"""
     found = re.fullmatch(f"({re.escape(BEGIN)}.*?{re.escape(END)})(.*)", page, re.S)
     return found and found.groups()
 
 
 def problems(descriptions, folder, command):
-    """What is wrong with the pages in a folder, a message each. @param command: that writes them"""
+    """Messages about errors in the pages of a folder. @param command that writes the pages"""
     found = []
     for name in sorted({path.stem for path in folder.glob("*.md")} - set(descriptions)):
         found.append(f"{folder / name}.md: found no device '{name}' in the suite, allowed: pages of devices; delete it")
@@ -88,7 +88,7 @@ def problems(descriptions, folder, command):
 
 
 def rewrite(descriptions, folder):
-    """What was written by hand stays. @return the pages that changed"""
+    """Rewrites the generated parts. @return the pages that changed"""
     changed = []
     for name, description in sorted(descriptions.items()):
         path = folder / f"{name}.md"
@@ -114,7 +114,7 @@ def main():
         print(f"{path}: written")
     wrong = problems(descriptions, PAGES, f"scripts/device_pages.py --build {arguments.build}")
     print("\n".join(wrong) if wrong else f"pages: {len(descriptions)} devices, all as the code says")
-    return 1 if wrong and arguments.check else 0  # who has just got a page has its law to write
+    return 1 if wrong and arguments.check else 0  # a new page still needs its law
 
 
 if __name__ == "__main__":

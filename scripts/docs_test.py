@@ -1,14 +1,14 @@
 #!/usr/bin/python3
-"""docs_test.py BUILD_FOLDER: what the pages say can be done as they say it.
+"""docs_test.py BUILD_FOLDER: tests that the instructions of the pages work.
 
-In the pages, a fence of the language sh is shell commands; all those of a page are run one after the other, in one shell,
-in an empty folder with a clone of the repository in it. A comment before a fence says what else it is:
+In the pages, a fence of the language sh has shell commands. All commands of a page are run one after the other, in one shell,
+in an empty folder that has a clone of the repository. A comment before a fence gives it another meaning:
     <!-- file: NAME -->            the fence is written to that file
-    <!-- same as: NAME, with A as B -->  the fence is that file of the repository, with A put as B
-    <!-- stays, until SERVICE is there -->  the fence is one command for a terminal of its own: it runs beside what follows, which waits
-                                   for that ROS service, until it ends by itself or the page ends, when it gets a Ctrl-C
-A file is written where the page began, or below the clone: <!-- file: swarmanoid/docs/NAME -->.
-A text fence is something that the command before it prints. Fences that are whole experiments are validated.
+    <!-- same as: NAME, with A as B -->  the fence equals that file of the repository, with A replaced by B
+    <!-- stays, until SERVICE is there -->  the fence is one command for a terminal of its own: later fences wait for that ROS service;
+                                   the command runs until it ends by itself, or gets a Ctrl-C at the end of the page
+A file is written in the page's initial folder, or below the clone: <!-- file: swarmanoid/docs/NAME -->.
+A text fence must occur in the output of the command before it. Fences with whole experiments are validated.
 """
 
 import concurrent.futures
@@ -26,7 +26,7 @@ import unittest
 import yaml
 from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
 
-# Where the shell commands are run; the workspace's page takes minutes and is in ./test --long
+# Pages whose shell commands are run; the page about workspaces takes minutes and is run by ./test --long
 RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/tutorial/swarm_in_python.md", "docs/how-to/add_a_controller.md",
              "docs/how-to/add_a_device.md", "docs/how-to/add_a_robot.md", "docs/how-to/analyse_trajectories.md",
              "docs/how-to/add_a_rule.md", "docs/how-to/add_a_visualisation.md",
@@ -41,8 +41,8 @@ RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/tutorial/swarm_in_python
              "docs/explanation/coming_from_argos.md",
              "docs/faq.md")
 LONG_PAGES = ("docs/how-to/use_in_a_catkin_workspace.md",)
-# Pages that add to the suite, and how many files each may add at most. They are followed in a copy of the tree, which is
-# built once; what was there before must stay as it is
+# Pages that add to the suite, and the maximum number of new files of each. They are run in a copy of the tree, which is built
+# once; they must not change existing files
 SUITE_PAGES = {"docs/how-to/add_a_device_to_the_suite.md": 4, "docs/how-to/add_an_implementation.md": 2,
                "docs/how-to/add_an_arena_object_to_the_suite.md": 8}
 FENCE = re.compile(r"(?:^<!-- (?P<note>.*?) -->\n)?^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
@@ -63,13 +63,13 @@ def read(page):
 
 
 def anchors(text):
-    """Names of headings as they stand in links."""
+    """Anchors of headings, as used in links."""
     headings = re.findall(r"^#+ (.*)$", text, re.M)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 def contents(folder):
-    """Files of a copy of the tree, but what is built."""
+    """Files of a copy of the tree, without build folders."""
     found = {}
     for where, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if name != "__pycache__" and (where != folder or not name.startswith("build"))]
@@ -86,10 +86,10 @@ class Newcomer:
     def __init__(self, folder, environment):
         self.folder = folder
         self.environment = environment
-        self.beside = []  # programs in terminals of their own, and the files that they print to
+        self.beside = []  # programs in terminals of their own, with the files of their output
 
     def do(self, commands, timeout=300):
-        """@return exit code and all that was printed"""
+        """@return exit code and all output"""
         state = os.path.join(self.environment["HOME"], "state")
         script = f"set -e\ntrap 'code=$?; {{ pwd; env -0; }} > {state}; exit $code' EXIT\n{commands}"
         done = subprocess.run(["bash", "-c", script], cwd=self.folder, env=self.environment, timeout=timeout, text=True,
@@ -117,7 +117,7 @@ class Newcomer:
         return found.returncode == 0
 
     def end_beside(self):
-        """@return what they printed"""
+        """Ends the programs in other terminals. @return their output"""
         texts = []
         for program, printed in reversed(self.beside):
             if program.poll() is None:
@@ -130,7 +130,7 @@ class Newcomer:
         return "\n".join(texts)
 
     def watch(self, command, until, timeout=120):
-        """Starts a program that stays, waits for a text that it prints, and presses Ctrl-C. @return what it printed"""
+        """Starts a program that keeps running, waits for a text in its output, and sends Ctrl-C. @return its output"""
         program = subprocess.Popen(["bash", "-c", "exec " + command], cwd=self.folder, env=self.environment, text=True,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         lines = []
@@ -148,7 +148,7 @@ class Newcomer:
 
 
 class Display:
-    """A screen for rviz, in memory."""
+    """A virtual screen for rviz."""
 
     def __enter__(self):
         reader, writer = os.pipe()
@@ -167,7 +167,7 @@ class Display:
 class LinksTest(unittest.TestCase):
     def test_links_lead_somewhere(self):
         for page in pages():
-            for link in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", read(page))):  # a listing may be of another page
+            for link in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", read(page))):  # a listing may quote another page
                 if re.match(r"[a-z]+:", link):
                     continue
                 with self.subTest(page=page, link=link):
@@ -194,14 +194,14 @@ class LinksTest(unittest.TestCase):
 
 
 class ProgramsTest(unittest.TestCase):
-    """Programs that pages have the reader call are in packages that the suite installs for its users, are on every Debian system, or are in a
-    package that the page names. Laws and tables look like commands and are in folders of their own."""
+    """Programs in commands of pages are in packages that the suite installs for its users, on every Debian system, or in a package that
+    the page names. LAWS lists folders whose formulas and tables look like commands."""
 
     LAWS = ("docs/reference/devices/", "docs/reference/rules/", "docs/reference/models.md")
 
     @staticmethod
     def commands(text):
-        """The first words of the parts of all commands."""
+        """The program names in all commands of a page."""
         lines = [line for fence in FENCE.finditer(text) if fence["language"] == "sh" for line in fence["text"].splitlines()]
         lines += [line[4:] for line in FENCE.sub("", text).splitlines() if re.match(r"    \S", line)]
         for line in lines:
@@ -212,7 +212,7 @@ class ProgramsTest(unittest.TestCase):
 
     @staticmethod
     def packages_of(programs):
-        """@return by program the package that it is in and the priority of that; none of what is in no package"""
+        """@return by program, its package and the package's priority; programs without a package are left out"""
         paths = {name: shutil.which(name, path="/usr/bin:/bin:/usr/sbin:/sbin") for name in programs}
         files = {file for path in paths.values() if path for file in (path, re.sub("^/usr(?=/s?bin/)", "", path))}
         owners = subprocess.run(["dpkg", "-S", *files], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
@@ -225,7 +225,7 @@ class ProgramsTest(unittest.TestCase):
 
     @staticmethod
     def installed_for_users():
-        """Packages, and those that they need themselves."""
+        """Packages installed for users, and their direct dependencies."""
         rows = [line.split() for line in read("packages.txt").splitlines() if line and not line.startswith("#")]
         installed = {row[1] for row in rows if row[0] in ("base", "viewer")}
         needed = subprocess.run(["dpkg-query", "-W", "-f=${Depends}, ${Pre-Depends}, ", *installed], text=True,
@@ -236,7 +236,7 @@ class ProgramsTest(unittest.TestCase):
         programs = {page: set(self.commands(read(page))) for page in pages() if not page.startswith(self.LAWS)}
         everything = set().union(*programs.values())
         self.assertLessEqual({"/usr/lib/dynamic_reconfigure/dynparam", "rostopic", "swarmanoid", "gdb", "cmake"}, everything)
-        installed = self.installed_for_users() | {"git"}  # they have a clone
+        installed = self.installed_for_users() | {"git"}  # needed to clone the repository
         packages = self.packages_of(everything)
         self.assertEqual("cmake", packages["cmake"][0])
         for page, named in programs.items():
@@ -249,7 +249,7 @@ class ProgramsTest(unittest.TestCase):
 
 class CitationTest(unittest.TestCase):
     def test_the_citation_is_of_this_version(self):
-        """The keys that version 1.2.0 of the format requires, of the whole and of the reference."""
+        """It has the keys that version 1.2.0 of the format requires, for the suite and for the reference."""
         citation = yaml.safe_load(read("CITATION.cff"))
         self.assertEqual(citation["cff-version"], "1.2.0")
         for item, required in ((citation, ("message", "title", "authors")), (citation["references"][0], ("type", "title", "authors"))):
@@ -265,7 +265,7 @@ class ListingsTest(unittest.TestCase):
         cls.work = tempfile.mkdtemp(prefix="swarmanoid_docs_")
         cls.addClassCleanup(shutil.rmtree, cls.work, ignore_errors=True)
         cls.bare = cls.new_shell("nobody")
-        # what a clone looks like in which ./run has worked once
+        # same as a clone after a first ./run
         cls.clone = os.path.join(cls.work, "swarmanoid")
         os.mkdir(cls.clone)
         for name in os.listdir(REPOSITORY):
@@ -290,7 +290,7 @@ class ListingsTest(unittest.TestCase):
         environment = sourced(self.bare, os.path.join(BUILD_FOLDER, "devel/setup.bash"))
         for page in pages():
             for fence in FENCE.finditer(read(page)):
-                if "<ahss-config>" in fence["text"] and page not in {*RUN_PAGES, *SUITE_PAGES}:  # those need what the page makes
+                if "<ahss-config>" in fence["text"] and page not in {*RUN_PAGES, *SUITE_PAGES}:  # those need files that the page creates
                     with self.subTest(page=page):
                         path = os.path.join(self.work, "listing.xml")
                         with open(path, "w") as file:
@@ -337,8 +337,8 @@ class ListingsTest(unittest.TestCase):
                 self.follow(page)
 
     def launch(self, newcomer, command):
-        """With rviz, which now and then (once in about ten times) crashes in a display in memory while it makes its first
-        window: it may try again."""
+        """Runs a launch command with rviz. It gets a second trial, since rviz crashes on a virtual display about once in ten times
+        while it creates its first window."""
         for last_trial in (False, True):
             with Display() as display:
                 newcomer.environment.update(DISPLAY=display.name, LIBGL_ALWAYS_SOFTWARE="1", QT_X11_NO_MITSHM="1")
@@ -365,7 +365,7 @@ class ListingsTest(unittest.TestCase):
             if fence["language"] == "text":
                 for line in text.splitlines():
                     self.assertIn(line, printed)
-                code = 0  # a mistake that is explained is no mistake
+                code = 0  # an error that the page explains
                 continue
             self.assertEqual(0, code, f"{commands}\n{printed}")
             stays = re.match(r"stays, until (\S+) is there$", fence["note"] or "")

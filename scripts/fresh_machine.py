@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""fresh_machine.py [--releases 12,13] COMMAND...: runs a command of the README where nothing of ROS is installed.
+"""fresh_machine.py [--releases 12,13] COMMAND...: runs a command of the README on systems without ROS.
 
-For each release of Debian it makes a minimal system in a temporary folder (mmdebstrap: what is essential, git and
-certificates), clones the last commit into it and runs the command there as root. What the project's own files do not
-install is missing there. If the command ends with the summary of a run, the state hashes of all releases are compared.
+For each release of Debian it makes a minimal system in a temporary folder (mmdebstrap: essential packages, git and
+certificates), clones the last commit into it and runs the command there as root. Only packages that the project's own files
+install are available. If the command ends with the summary of a run, the state hashes of all releases are compared.
 
-Exit code 1 if a command failed or hashes differ. Where there is no root or no mmdebstrap nothing can be made: that is said
-and counted as skipped."""
+The exit code is 1 if a command failed or hashes differ. Without root or mmdebstrap a release is reported and counted as
+skipped."""
 
 import argparse
 import contextlib
@@ -21,21 +21,21 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SUITES = {"12": "bookworm", "13": "trixie"}
-TAIL = 60  # lines of a failed command that are shown
-# mounts and processes of the system end with this one
+TAIL = 60  # shown lines of a failed command
+# mounts and processes of the system end with this process
 ENTER = """mount -t proc proc "$1/proc" && mount --rbind /sys "$1/sys" && mount --rbind /dev "$1/dev" &&
 root=$1 && shift && exec chroot "$root" sh -c 'cd /root/swarmanoid && exec "$@"' sh "$@" """
 
 
 def obstacle():
-    """Why no system can be made here, or nothing."""
+    """@return the reason why no system can be made here, or an empty string"""
     if os.geteuid() != 0:
         return "it needs root"
     return next((f"{name} is not installed" for name in ("mmdebstrap", "unshare") if not shutil.which(name)), "")
 
 
 class FreshMachine:
-    """A minimal Debian with a clone of the last commit, for as long as the `with` block lasts."""
+    """A minimal Debian with a clone of the last commit, during a `with` block."""
 
     def __init__(self, release):
         self._suite = SUITES[release]
@@ -71,14 +71,14 @@ class FreshMachine:
 
 
 def state_hash(output):
-    """That of a run's summary, or nothing."""
+    """@return the state hash in a run's summary, or an empty string"""
     with contextlib.suppress(ValueError, IndexError):
         return json.loads(output.splitlines()[-1]).get("state_hash", "")
     return ""
 
 
 def try_release(release, command):
-    """@return whether the command ended well, its standard output"""
+    """@return whether the command succeeded, its standard output"""
     start = time.monotonic()
     with FreshMachine(release) as machine, tempfile.TemporaryFile("w+") as errors:
         made = time.monotonic()

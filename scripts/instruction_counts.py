@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""instruction_counts.py BUILD: instructions a tick of five fixed runs, counted by callgrind, held against those that are kept.
+"""instruction_counts.py BUILD: instructions per tick of five fixed runs, counted by callgrind and compared with stored counts.
 
-What building the experiment takes is taken off. Counts depend on the compiler and the libraries but hardly on the machine and not on
-what else it does, so a regression of a few per cent shows where times do not show it. Kept are those of a release build on Debian
-12, in instruction_counts.csv; with --write they are replaced, which belongs into the commit that changes them, with the
-reason. Ends with 1 if one is above the limit."""
+Instructions for building the experiment are subtracted. Counts depend on the compiler and the libraries, but hardly on the machine
+and not on its load, so they show regressions of a few per cent that times hide. instruction_counts.csv has the counts of a release
+build on Debian 12; --write replaces them, which belongs into the commit that changes them, with the reason. The exit code is 1 if a
+count is above the limit."""
 
 import argparse
 import csv
@@ -21,7 +21,7 @@ EXPERIMENTS = ROOT / "src/swarmanoid_experiments/experiments"
 KEPT = pathlib.Path(__file__).with_suffix(".csv")
 LIMIT = 1.02
 DIFFUSION = "--set arena.distribute.quantity={n} --set arena.size={s},{s},1 --set arena.distribute.maximum={e},{e},0"
-# name, experiment, engine in place of kinematics2d, arguments, ticks that are counted
+# name, experiment, engine that replaces kinematics2d, arguments, counted ticks
 COUNTED = (("diffusion, 10 footbots, kinematics2d", "diffusion", "kinematics2d", DIFFUSION.format(n=10, s=4, e=3.8), 4000),
            ("diffusion, 1,000 footbots, kinematics2d", "diffusion", "kinematics2d", DIFFUSION.format(n=1000, s=40, e=39.8), 200),
            ("diffusion, 100 footbots, dynamics2d", "diffusion", "dynamics2d", "", 200),
@@ -30,7 +30,7 @@ COUNTED = (("diffusion, 10 footbots, kinematics2d", "diffusion", "kinematics2d",
 
 
 class Build:
-    """One build of the suite, whose devel space is sourced for each command."""
+    """A build of the suite; its devel space is sourced for each command."""
 
     def __init__(self, folder):
         self._setup = pathlib.Path(folder).resolve() / "devel/setup.bash"
@@ -52,7 +52,7 @@ def _count(build, file, arguments, ticks):
 
 
 def counts(*builds):
-    """@return for each run its name and the instructions a tick with each build"""
+    """@return for each run, its name and the instructions per tick with each build"""
     with tempfile.TemporaryDirectory(prefix="swarmanoid_counts_") as folder:
         for name, experiment, engine, arguments, ticks in COUNTED:
             file = pathlib.Path(folder) / f"{experiment}_{engine}.xml"
@@ -61,7 +61,7 @@ def counts(*builds):
 
 
 def kept():
-    """@return instructions a tick by run; nothing if none were kept yet"""
+    """@return stored instructions per tick by run; empty if none are stored"""
     if not KEPT.exists():
         return {}
     with open(KEPT, newline="") as file:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lint.sh: what is seen without a build: layout (clang-format), which package may include which and file lengths (check_layers),
-# packages (catkin_lint). tidy.py looks for mistakes in what has been built.
+# lint.sh: checks without a build: layout (clang-format), includes between packages and file lengths (check_layers), packages
+# (catkin_lint). tidy.py checks built sources.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -10,6 +10,6 @@ clang-format --dry-run --Werror "${sources[@]}"
 echo "== layers and lengths" >&2
 python3 scripts/check_layers.py
 echo "== catkin_lint" >&2
-# liburdfdom-dev and TBB have no rosdep names here, which is all that the ignored checks are about
+# all ignored checks concern liburdfdom-dev and TBB, which have no rosdep names here
 ROS_DISTRO=noetic catkin_lint -W1 --strict --offline --ignore unknown_depend --ignore uninstalled_target \
   --ignore missing_depend --ignore missing_cmake_modules --ignore uninstalled_script --ignore order_violation src

@@ -1,4 +1,4 @@
-"""What outside_test.py looks at of robots by their description: the e-puck (examples/example_robot), and the TurtleBot3."""
+"""Checks of outside_test.py for robots defined by a description: the e-puck (examples/example_robot), and the TurtleBot3."""
 
 import json
 import math
@@ -15,8 +15,8 @@ SENSOR_ANGLES = (-0.3008, -0.8008, -math.pi / 2, -2.644, 2.6392, math.pi / 2, 0.
 
 
 def square_with_slip(side, slip):
-    """@return how far from its start a robot comes on a square whose ways and turns are all shorter by a part, and the
-    angle that it has not turned in the end [rad]"""
+    """@return distance from the start after a square whose sides and turns are all shorter by the fraction `slip`, and the
+    angle missing to a full turn [rad]"""
     x = y = heading = 0.0
     for _ in range(4):
         x += (1 - slip) * side * math.cos(heading)
@@ -26,10 +26,10 @@ def square_with_slip(side, slip):
 
 
 class RobotChecks(RosChecks):
-    """A test case that has installed or built the examples, and finds them in an environment."""
+    """A test case with installed or built examples in an environment."""
 
     def check_robot(self, environment, out):
-        """A robot by its description: it is listed, and diffuses in each engine without touching walls or leaving its pen."""
+        """A robot by description is listed, and diffuses in each engine without touching walls or leaving its pen."""
         listed = succeed(["swarmanoid", "list", "entity"], environment)
         self.assertIn("\n  e_puck: A small wheeled robot with infrared sensors all around.\n", listed)
         text = read(ROBOTS).replace("<e_puck", "<e_pick").replace("</e_puck", "</e_pick")
@@ -64,7 +64,7 @@ class RobotChecks(RosChecks):
         return result["state_hash"]
 
     def run_square(self, environment, out, *options):
-        """@return metrics of the rule, and the places on the way"""
+        """@return metrics of the rule, and the positions along the path"""
         result = json.loads(succeed(["swarmanoid", "run", SQUARE, "--out", out, "--quiet", "--force", *options], environment))
         self.assertEqual([], result["failed_controllers"])
         with open(os.path.join(out, "square.txt")) as file:
@@ -72,7 +72,7 @@ class RobotChecks(RosChecks):
         return {name.split(".")[1]: value for name, value in result["metrics"].items()}, places
 
     def check_turtlebot(self, environment, out):
-        """A TurtleBot3 by its dimensions drives a square of 1 m: exactly by its odometry, and as geometry has it where wheels slip."""
+        """A TurtleBot3 drives a square of 1 m: exactly by odometry, and with the error predicted by geometry if wheels slip."""
         self.assertIn("\n  turtlebot3_burger: A TurtleBot3 Burger: two wheels and a caster.\n",
                       succeed(["swarmanoid", "list", "entity"], environment))
         measured, places = self.run_square(environment, out)
@@ -92,12 +92,12 @@ class RobotChecks(RosChecks):
         self.assertAlmostEqual(heading_error, measured["heading_error"], places=3)
 
     def check_robot_under_ros(self, environment, headless_out, out):
-        """Its devices have topics, as those of the suite's robots, and it goes the same ways."""
+        """The robot's devices have topics, as those of the suite's robots, and it takes the same paths as without ROS."""
         with beside([*LAUNCH, f"experiment:={ROBOTS}", f"out:={out}", "paused:=true", "device_topics:=all"],
                          environment) as launch:
             self.wait_for_space(launch, environment)
             with beside(["rostopic", "echo", "-n", "1", "/b_3/proximity/angles"], environment) as echo:
-                while echo.poll() is None:  # topics of devices are there after the first tick
+                while echo.poll() is None:  # topics of devices exist after the first tick
                     succeed(["rosservice", "call", "/space/step", "1"], environment)
                 angles = next(json.loads(line) for line in echo.stdout if line.startswith("["))  # after warnings
             self.assertEqual(len(SENSOR_ANGLES), len(angles))
@@ -111,14 +111,14 @@ class RobotChecks(RosChecks):
         self.assertEqual(read(f"{headless_out}/e_pucks.txt"), read(f"{out}/e_pucks.txt"))
 
     def check_mock_robot(self, environment):
-        """Its mock drivers, and its controller on them: it goes to the wall ahead, 0.3 m away, and turns before it."""
+        """The robot's controller on mock drivers: it drives towards the wall, 0.3 m ahead, and turns before it."""
         folder = os.path.dirname(ROBOTS)
         drivers = ["roslaunch", "swarmanoid_hosts", "mock_robot.launch", "robot:=e", "type:=e_puck",
                    "devices:=differential_drive leds proximity", f"world:={folder}/config/mock_world.yaml"]
         host = ["roslaunch", "swarmanoid_hosts", "robot.launch", "robot:=e", "controller:=diffusion", "provider:=topics",
                 f"configuration:={folder}/config/diffusion.yaml"]
         with beside(drivers, environment) as mock:
-            while run(["rosservice", "type", "/e_drivers/get_loggers"], environment)[0] != 0:  # the drivers' master is there
+            while run(["rosservice", "type", "/e_drivers/get_loggers"], environment)[0] != 0:  # waits for the drivers' master
                 self.assertIsNone(mock.poll(), "the drivers have ended")
                 time.sleep(0.2)
             with beside(host, environment) as controller:
@@ -127,7 +127,7 @@ class RobotChecks(RosChecks):
         self.assertGreater(turned, 0.1)
 
     def watch_mock_robot(self, controller, environment):
-        """@return how far ahead it went, and how far it turned (the sine of half the angle), after a minute at the latest"""
+        """@return distance ahead, and turn (sine of half the angle), after at most a minute"""
         end = time.monotonic() + 60
         ahead, turned = 0.0, 0.0
         while (ahead < 0.15 or turned < 0.1) and time.monotonic() < end:

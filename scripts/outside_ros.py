@@ -1,4 +1,4 @@
-"""What tests of packages of somebody else do with a simulator under ROS."""
+"""Shared parts of tests of external packages with a simulator under ROS."""
 
 import contextlib
 import glob
@@ -15,7 +15,7 @@ LAUNCH = ["roslaunch", "swarmanoid_experiments", "run.launch", "rviz:=false", "r
 
 @contextlib.contextmanager
 def beside(command, environment):
-    """A program that runs beside the test, and gets a Ctrl-C if it is still there at the end."""
+    """A program that runs in parallel with the test, and gets a Ctrl-C if it still runs at the end."""
     program = subprocess.Popen(command, env=environment, text=True, stdin=subprocess.DEVNULL,
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     try:
@@ -36,13 +36,13 @@ class RosChecks(unittest.TestCase):
         self.assertIn(end, output)
 
     def wait_for_space(self, launch, environment):
-        """Its services are there when all nodelets are."""
+        """Waits for the services of the space, which exist once all nodelets are loaded."""
         while run(["rosservice", "call", "/space/pause"], environment)[0] != 0:
             self.assertIsNone(launch.poll(), "roslaunch has ended")
             time.sleep(0.2)
 
     def maps_of_manager(self, launch_pid):
-        """Files that the nodelet manager started by a roslaunch has in memory."""
+        """Files mapped by the nodelet manager that a roslaunch has started."""
         for status in glob.glob("/proc/[0-9]*/status"):
             folder = os.path.dirname(status)
             try:

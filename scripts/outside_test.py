@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""outside_test.py BUILD_FOLDER: packages of somebody else (examples/), built and run against a devel space and an
-install space of this project; and the install space by itself."""
+"""outside_test.py BUILD_FOLDER: external packages (examples/), built and run against a devel space and an install space of
+this project; and the install space by itself."""
 
 import concurrent.futures
 import glob
@@ -26,7 +26,7 @@ BUILD_FOLDER = ""
 
 
 def walked_lines(last_tick):
-    """What the odometer writes: the patrol's leg takes 20 ticks, its turn 10."""
+    """Expected lines of the odometer: the patrol's leg takes 20 ticks, its turn 10."""
     way_a_tick = 5.0 * 0.029 * 0.1  # wheels [rad/s], their radius [m], tick [s]
     travelled = 0.0
     lines = ["0 0.000000\n"]
@@ -46,7 +46,7 @@ class OutsideTest(RobotChecks):
         cls.installed = os.path.join(cls.folder, "installed")
         succeed(["cmake", "--install", BUILD_FOLDER, "--prefix", cls.installed], cls.bare)
 
-    # --- packages of somebody else
+    # --- external packages
 
     def build_package(self, name, space, folder):
         """Copies a package, builds it against a space of this project, and installs it."""
@@ -103,7 +103,7 @@ class OutsideTest(RobotChecks):
         return result
 
     def check_schema(self, environment, file):
-        """The schema of all that is installed accepts the experiments of all packages, and knows what these bring."""
+        """The schema of the installed packages accepts the experiments of all packages, and has their plugins."""
         with open(file, "w") as opened:
             opened.write(succeed(["swarmanoid", "schema"], environment))
         experiments = sorted(glob.glob(os.path.join(REPOSITORY, "examples/*/*.xml")))
@@ -126,7 +126,7 @@ class OutsideTest(RobotChecks):
             self.assertIn(refusal, errors)
 
     def check_arena_object(self, environment, out):
-        """An arena object: four lanterns, in an engine and out of the robot's way; each file says in which library they are."""
+        """An arena object: four lanterns, in an engine and out of the robot's way; each file names their library."""
         result = json.loads(succeed(["swarmanoid", "run", LANTERNS, "--out", out, "--quiet"], environment))
         self.assertEqual(100, result["ticks"])
         self.assertIn(": valid, 9 entities, 1 robots", succeed(["swarmanoid", "validate", LANTERNS], environment))
@@ -149,7 +149,7 @@ class OutsideTest(RobotChecks):
         return result["state_hash"]
 
     def check_run_under_ros(self, environment, headless_out, out):
-        """The same under ROS: the controllers are nodelets of their own packages, and the files are the same."""
+        """Same as check_run_headless under ROS: controllers are nodelets of their own packages, and the files are equal."""
         with beside([*LAUNCH, f"experiment:={EXPERIMENT}", f"out:={out}", "paused:=true"], environment) as launch:
             self.wait_for_space(launch, environment)
             maps = self.maps_of_manager(launch.pid)
@@ -194,7 +194,7 @@ class OutsideTest(RobotChecks):
         self.assertEqual(2, code)
         self.assertIn("together.xml:9: library 'patrol': found no libpatrol.so in", errors)
 
-    # --- whatever python3 is first in PATH
+    # --- independence of the first python3 in PATH
 
     def test_every_package_chooses_the_python_of_ros_before_it_looks_for_catkin(self):
         files = [name for part in ("src", "examples") for name in glob.glob(os.path.join(REPOSITORY, part, "*/CMakeLists.txt"))]
@@ -205,10 +205,11 @@ class OutsideTest(RobotChecks):
             text = read(name)
             for count, search in enumerate(re.finditer(r"^find_package\(catkin", text, re.M), 1):
                 choices = re.findall(r"^set\(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH .*\)$", text[:search.start()], re.M)
-                self.assertEqual(count, len(choices), f"{name}: one before each")  # a page may have several files
+                self.assertEqual(count, len(choices), f"{name}: one before each")  # a page may contain several files
 
     def test_a_package_is_configured_alone_where_another_python_is_first(self):
-        """As `catkin build` does: one of the suite, which makes code by Python, and a template; all others begin alike, see above."""
+        """As by `catkin build`: a package of the suite that generates code by Python, and a template; all others begin alike, see
+        above."""
         for folder in ("src/swarmanoid_msgs", "examples/example_controller"):
             with self.subTest(folder):
                 build = os.path.join(self.folder, "alone", os.path.basename(folder))
@@ -231,7 +232,7 @@ class OutsideTest(RobotChecks):
         self.assertTrue(module.startswith(self.installed), module)
 
     def test_install_space_does_not_know_where_it_was_built(self):
-        """Debugging information may name sources; nothing that is read while running may."""
+        """Only debugging information may name sources; files that are read at run time may not."""
         for folder, _, names in os.walk(self.installed):
             for name in names:
                 path = os.path.join(folder, name)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""robot_test.py: a robot's computer. Builds a workspace of the four packages that it has, no others, looks whether
-anything of a simulator is needed or linked there, and runs controllers against the mock drivers."""
+"""robot_test.py: the workspace of a robot's computer. Builds only the four packages for robots, checks that they do not depend on
+or link parts of a simulator, and runs controllers against the mock drivers."""
 
 import glob
 import os
@@ -18,14 +18,14 @@ import xml.etree.ElementTree
 from surroundings import REPOSITORY, bare, compiler_cache, sourced, succeed
 
 PACKAGES = ("swarmanoid_controllers", "swarmanoid_hosts", "swarmanoid_interface", "swarmanoid_msgs")
-# what a simulator has: engines, readers of robot models, threads, viewers, its own packages
+# dependencies of a simulator: engines, readers of robot models, threads, viewers, its own packages
 SIMULATOR = re.compile(r"\bode\b|libode|box2d|urdf|tbb|xxhash|rviz|gazebo|swarmanoid_(?!hosts|interface|controllers|msgs)", re.I)
 CONTROLLERS = {"footbot": "footbot_retrieval", "eyebot": "eyebot_retrieval", "handbot": "climbing"}
 TIMEOUT = 60.0  # [s]
 
 
 class Program:
-    """One that stays, with what it prints."""
+    """A program that keeps running, with its output."""
 
     def __init__(self, command, environment):
         self._process = subprocess.Popen(command, env=environment, cwd=environment["HOME"], text=True,
@@ -41,7 +41,7 @@ class Program:
         return self._process.poll() is None
 
     def end(self):
-        """As Ctrl-C does it. @return its exit code"""
+        """Ends the program by SIGINT, like Ctrl-C. @return its exit code"""
         if self.is_running():
             self._process.send_signal(signal.SIGINT)
         code = self._process.wait(TIMEOUT)
@@ -51,7 +51,7 @@ class Program:
 
 
 def dependencies(package):
-    """Names in a package.xml, those for tests left out."""
+    """Dependencies in a package.xml, without those for tests."""
     root = xml.etree.ElementTree.parse(package).getroot()
     return {element.text for element in root if element.tag.endswith("depend") and element.tag != "test_depend"}
 
@@ -69,7 +69,7 @@ class RobotTest(unittest.TestCase):
         shutil.copy("/usr/share/catkin/cmake/toplevel.cmake", os.path.join(source, "CMakeLists.txt"))
         succeed(["cmake", "-S", source, "-B", cls.build, "-G", "Ninja", "-DPYTHON_EXECUTABLE=/usr/bin/python3",
                  "-DPython3_EXECUTABLE=/usr/bin/python3", "-DCATKIN_ENABLE_TESTING=OFF", "-DCMAKE_UNITY_BUILD=ON",
-                 "-DCMAKE_CXX_FLAGS_RELEASE=-DNDEBUG",  # not optimised: compiled sooner, and fast enough for real time
+                 "-DCMAKE_CXX_FLAGS_RELEASE=-DNDEBUG",  # without optimisation: compiles faster, and is fast enough for real time
                  f"-DCATKIN_DEVEL_PREFIX={cls.folder}/devel", *compiler_cache()], cls.bare)
         succeed(["cmake", "--build", cls.build, "-j2"], cls.bare, timeout=1200)
         cls.environment = sourced(cls.bare, f"{cls.folder}/devel/setup.bash")
@@ -117,7 +117,7 @@ class RobotTest(unittest.TestCase):
         self.fail("it never happens\n" + host.output())
 
     def check(self, kind, happens, *surroundings):
-        """Starts robot and controller, waits for what is to happen, and ends both."""
+        """Starts robot and controller, waits for the expected event, and ends both."""
         robot = kind + "_1"
         share = f"{self.folder}/src/swarmanoid_controllers/config"
         drivers = Program(["roslaunch", "swarmanoid_hosts", "mock_robot.launch", f"robot:={robot}", f"type:={kind}",

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""run_test.py: what ./run says before it installs or builds anything."""
+"""run_test.py: messages of ./run before it installs or builds."""
 
 import os
 import shutil
@@ -12,7 +12,7 @@ from surroundings import REPOSITORY
 
 class RunTest(unittest.TestCase):
     def setUp(self):
-        """A copy without a build, in an environment whose PATH has nothing that installs or builds."""
+        """A copy without a build, in an environment whose PATH has no programs that install or build."""
         self.folder = tempfile.TemporaryDirectory(prefix="run_test")
         self.addCleanup(self.folder.cleanup)
         self.copy = os.path.join(self.folder.name, "swarmanoid")

@@ -2,7 +2,7 @@
 
 say() { printf '== %s\n' "$*" >&2; }
 
-# install_packages GROUP...: those of packages.txt that are not installed yet.
+# install_packages GROUP...: installs the packages of these groups of packages.txt that are missing.
 install_packages() {
   local wanted=() missing=() package
   for group in "$@"; do
@@ -19,7 +19,7 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
 
-# build FOLDER CMAKE_OPTION...: configures and builds everything that the options ask for.
+# build FOLDER CMAKE_OPTION...: configures with the options and builds.
 build() {
   local folder=$1
   shift
@@ -34,7 +34,7 @@ build() {
   cmake --build "$folder" -j "$(nproc)" >&2
 }
 
-# use_workspace FOLDER: puts a devel space into the environment. Nodes talk to this machine only.
+# use_workspace FOLDER: sources a devel space. By default nodes communicate on this machine only.
 use_workspace() {
   export ROS_HOSTNAME=${ROS_HOSTNAME:-localhost}
   set +u

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""tidy.py BUILD_FOLDER [--since DATE]: clang-tidy over the sources of all packages that are built there, tests left out.
+"""tidy.py BUILD_FOLDER [--since DATE]: runs clang-tidy over the sources of all packages built there, without tests.
 
-What is compiled as one is looked at as one. A unit is skipped if its text after the preprocessor, its checks and the
-version of clang-tidy are those with which it passed before; BUILD_FOLDER/tidy_passed holds them. With --since, only those units
-are looked at of which commits after that date have changed a source, as `git log --since` takes it."""
+Unity builds are checked per unit. A unit is skipped if its preprocessed text, its checks and the version of clang-tidy are those
+of its last pass, which BUILD_FOLDER/tidy_passed stores. --since restricts the check to units with a source that commits after that
+date have changed; the date has the format of `git log --since`."""
 
 import argparse
 import concurrent.futures
@@ -23,7 +23,7 @@ OURS = re.compile(r"src/\w+/src/.*\.cpp")
 
 
 def sources(unit):
-    """The sources of the project that a unit of the compilation is made of; empty for tests and generated files."""
+    """The project's sources in a compilation unit; empty for tests and generated files."""
     path = pathlib.Path(unit["file"])
     paths = INCLUDE.findall(path.read_text()) if path.parent.name == "Unity" else [unit["file"]]
     inside = [os.path.relpath(path, ROOT) for path in paths]
@@ -31,7 +31,7 @@ def sources(unit):
 
 
 def fingerprint(unit, checks):
-    """Of all that clang-tidy looks at: comments too, which may switch checks off."""
+    """Hash of all inputs of clang-tidy, including comments, which may disable checks."""
     command = shlex.split(unit["command"])
     command = command[:command.index("-o")] + command[command.index("-o") + 2:]
     text = subprocess.run([*command, "-E", "-C", "-P"], cwd=unit["directory"], stdout=subprocess.PIPE, check=True).stdout
@@ -39,8 +39,8 @@ def fingerprint(unit, checks):
 
 
 def changed_since(date):
-    """Paths that commits have changed since then; of a clone without history its only commit has changed all. Nothing where there is
-    no repository."""
+    """Paths changed by commits since a date; in a clone without history, the only commit has changed all paths. None without a
+    repository."""
     log = subprocess.run(["git", "log", f"--since={date}", "--name-only", "--format="], cwd=ROOT, stdout=subprocess.PIPE, text=True,
                          check=False)
     return set(log.stdout.split()) if log.returncode == 0 else None
@@ -62,7 +62,7 @@ def main():
         units = [unit for unit in units if changed is None or changed.intersection(sources(unit))]
 
     def look(unit):
-        """@return what is to be remembered, and what clang-tidy says: nothing if the unit was known"""
+        """@return fingerprint of the unit, or None if it has findings; output of clang-tidy; whether the unit had passed before"""
         mark = fingerprint(unit, checks)
         if mark in known:
             return mark, "", True

@@ -1,10 +1,10 @@
-"""A TurtleBot3 drives a square by its odometry, and a rule compares what it believes with where it is."""
+"""A TurtleBot3 drives a square by its odometry, and a rule compares odometry and true pose."""
 
 import math
 
 
 class Square:
-    """Of one robot: drives four sides and turns a quarter after each, by what its odometry says."""
+    """Controller of one robot: drives four sides by odometry, and turns by 90 degrees after each."""
 
     def init(self, robot, parameters):
         self.side = float(parameters["side"])              # [m]
@@ -12,11 +12,11 @@ class Square:
         self.turn_rate = float(parameters["turn_rate"])    # [rad/s]
         self.odometry = robot.readings["odometry"]
         self.drive = robot.commands["differential_drive"]
-        self.done = 0                                      # sides and turns
-        self.start = (0.0, 0.0)                            # of this side, by the odometry [m]
+        self.done = 0                                      # number of completed sides and turns
+        self.start = (0.0, 0.0)                            # start of this side, by odometry [m]
 
     def step(self, robot):
-        """Each tick as fast as it may, and in the last one just what is missing."""
+        """Moves at full speed, and in the last tick of a side or turn by the rest."""
         self.drive.speed = self.drive.turn_rate = 0.0
         if self.done == 8:
             return robot.debug("state", "there")
@@ -32,19 +32,19 @@ class Square:
         return robot.debug("state", "turns" if is_turn else "drives")
 
     def missing_way(self):
-        """[m], along the side, which lies in the direction of the axes."""
+        """@return remaining length of the side, which is parallel to an axis [m]"""
         direction = math.pi / 2 * (self.done // 2)
         ahead = (self.odometry.x - self.start[0]) * math.cos(direction) + (self.odometry.y - self.start[1]) * math.sin(direction)
         return float(self.side - ahead)
 
     def missing_angle(self):
-        """[rad], to the direction of the next side."""
+        """@return angle to the direction of the next side [rad]"""
         wanted = math.pi / 2 * (self.done // 2 + 1)
         return float(math.remainder(wanted - self.odometry.heading, 2 * math.pi))
 
 
 class OdometryError:
-    """How far the first robot is from where its odometry has it, and from where it began."""
+    """Distance of the first robot from its pose by odometry, and from its start."""
 
     values = {"odometry_error": 0.0, "from_start": 0.0, "heading_error": 0.0}  # before the first tick
 
@@ -69,5 +69,5 @@ class OdometryError:
 
 
 def heading_of(pose):
-    """@return of x, y, z and a quaternion about z [rad]"""
+    """@param pose x, y, z and a quaternion about z @return heading [rad]"""
     return 2 * math.atan2(pose[5], pose[6])

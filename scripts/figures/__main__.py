@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Makes the figures that the project promises, and writes them as a table. What is not reached stands there as not reached.
+"""Measures the figures that the project promises, and writes them to a table, which also marks figures that are not reached.
 
-Times are of the machine that ran it; the table says which."""
+Times are valid for the machine that the table names."""
 
 import argparse
 import pathlib
@@ -81,7 +81,7 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the page; rows that are not made anew stay")
     parser.add_argument("--only", nargs="+", choices=FIGURES, default=list(FIGURES), help="some of them")
     arguments = parser.parse_args()
-    # a shell that starts this in the background has it ignore the interrupt with which tests end what they start
+    # a program started in the background ignores SIGINT, with which tests end their child processes
     signal.signal(signal.SIGINT, signal.default_int_handler)
     table = Table(arguments.out.read_text() if arguments.out.exists() else "")
     for name in arguments.only:

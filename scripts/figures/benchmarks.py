@@ -11,8 +11,8 @@ import instruction_counts  # noqa: E402  pylint: disable=wrong-import-position
 
 
 def medians(binary, names=".*", repetitions=5, seconds=0.5):
-    """Medians of some benchmarks, made in turn, by name. In a process of their own: what others leave of the heap would count.
-    @param seconds of each repetition"""
+    """Medians of some benchmarks by name, with interleaved repetitions. They run in a process of their own, since the heap that
+    other benchmarks leave has an effect. @param seconds of each repetition"""
     done = subprocess.run([binary, "--benchmark_format=json", f"--benchmark_filter=^BM_({names})$",
                            f"--benchmark_repetitions={repetitions}", f"--benchmark_min_time={seconds}",
                            "--benchmark_enable_random_interleaving=true", "--benchmark_report_aggregates_only=true"],
@@ -22,12 +22,12 @@ def medians(binary, names=".*", repetitions=5, seconds=0.5):
 
 
 def speeds(binary, *arguments):
-    """As medians: items per second."""
+    """Items per second of some benchmarks by name, as medians."""
     return {name: entry["items_per_second"] for name, entry in medians(binary, *arguments).items()}
 
 
 def benchmark(table, build):
-    """Diffusion in turn with a bare loop, the shortest program that gives it (bare_diffusion.hpp)."""
+    """Diffusion, interleaved with a bare loop, the shortest program with the same result (bare_diffusion.hpp)."""
     binary = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_simulation_benchmark"
     goals = {"Sparse/10": 4, "Sparse/1000": 8, "Sparse/10000": 8, "Sparse/100000": 6, "Dense/1000": 1.5, "Dense/10000": 1.5}
     area = {"Sparse": "1.6 m2", "Dense": "0.1 m2"}
@@ -73,7 +73,7 @@ def acting_world(table, build):
 
 
 def sensing(table, build):
-    """Long repetitions: with all devices on a tick takes 0.1 s, and the first ticks would count."""
+    """Speed with sensors. Repetitions are long, since a tick with all devices takes 0.1 s and the first ticks are slower."""
     binary = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_sensing_benchmark"
     speed = speeds(binary, ".*", 3, 3)
     everybody = "10,000 footbots that turn on the spot, one per 1.6 m2, one thread"

@@ -1,4 +1,4 @@
-"""From a fresh clone, or on a fresh machine, to the end of a run or of the tests."""
+"""Time from a fresh clone, or on a fresh machine, to the end of a run or of the tests."""
 
 import pathlib
 import resource
@@ -14,14 +14,14 @@ from surroundings import outside_of_workspaces  # noqa: E402  pylint: disable=wr
 
 
 def processor_time():
-    """Of all processes that were waited for [s]."""
+    """Processor time of all child processes that were waited for [s]."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
 
 def in_fresh_clone(*command):
-    """Everything is compiled: no cache. Packages are there already, as after apt.
-    @return the ended command, minutes, core minutes"""
+    """Runs a command in a fresh clone, without a compiler cache. Packages are already installed.
+    @return the completed process, minutes, core minutes"""
     with tempfile.TemporaryDirectory() as folder:
         clone = pathlib.Path(folder) / "swarmanoid"
         environment = dict(outside_of_workspaces(), CCACHE_DISABLE="1")
@@ -50,7 +50,7 @@ def fresh_tests(table):
 
 
 def fresh_machines(table, *command):
-    """Minimal systems, on which apt has everything to do."""
+    """Runs a command on minimal systems, on which apt installs all packages."""
     done = subprocess.run([ROOT / "scripts/fresh_machine.py", *command], capture_output=True, text=True)
     lines = [line for line in done.stdout.splitlines() if line.startswith(("Debian", "state hashes"))]
     closing = done.stdout.splitlines()[-1] if done.stdout else "nothing printed"

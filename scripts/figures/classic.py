@@ -1,4 +1,4 @@
-"""Classic swarm experiments: whether the trend of a paper is there with each seed, and is not without the mechanism."""
+"""Classic swarm experiments: the trend of a paper must appear for the seeds, and must vanish without the mechanism."""
 
 import concurrent.futures
 import itertools
@@ -10,8 +10,8 @@ from typing import Callable, NamedTuple
 from table import run
 
 SEEDS = range(1, 21)
-ENOUGH = 19  # of the seeds with which the trend must hold
-TAU = 0.6    # it holds with a seed where Kendall's tau of values and metric, times the direction, is more than this
+ENOUGH = 19  # least number of seeds for which the trend must hold
+TAU = 0.6    # it holds for a seed if Kendall's tau of values and metric, times the direction, is above this
 
 
 def nothing(_):
@@ -21,21 +21,21 @@ def nothing(_):
 class Classic(NamedTuple):
     experiment: str             # of `swarmanoid run`
     paper: str
-    parameter: str              # what the values are, in words
+    parameter: str              # meaning of the values, in words
     values: tuple               # at least four
     metric: str                 # of the run's results
     direction: int              # 1: the metric rises with the values; -1: it falls
     control: list               # PATH=VALUE of --set: without the mechanism
-    control_value: object       # the one of the values with which the control runs
-    failed: Callable            # of the metrics of the control and, with the same seed and value, of the mechanism
+    control_value: object       # the value for the control
+    failed: Callable            # whether the control failed, from the metrics of the control and, for equal seed and value, of the mechanism
     failed_words: str
-    control_metric: str = ""           # that tells whether the control failed, if it is not `metric`
+    control_metric: str = ""           # metric by which the control fails, if not `metric`
     overrides: Callable = nothing      # of a value: PATH=VALUE of --set
     interventions: Callable = nothing  # of a value: elements of a file of interventions
 
 
 def dead_wheels(count):
-    """The motors of so many robots fail at the start."""
+    """Interventions: the motors of the first `count` robots fail at the start."""
     return [f'<fault tick="0" robot="fb_{i}" device="footbot_wheels"><error kind="dead"/></fault>'
             for i in range(1, count + 1)]
 
@@ -68,7 +68,7 @@ EXPERIMENTS = (
 
 
 def kendall(values):
-    """@return Kendall's tau between places and values; ties count as neither"""
+    """@return Kendall's tau between indices and values; ties count neither as concordant nor as discordant"""
     pairs = list(itertools.combinations(values, 2))
     return sum((later > earlier) - (later < earlier) for earlier, later in pairs) / len(pairs)
 

@@ -1,4 +1,4 @@
-"""Computers of a cluster on one machine: network namespaces on one bridge. Needs root and `ip`."""
+"""Emulates the computers of a cluster on one machine: network namespaces on one bridge. Needs root and `ip`."""
 
 import os
 import signal
@@ -13,10 +13,10 @@ def _ip(*arguments):
 
 
 class ClusterNetwork:
-    """Hosts 0, 1, ... with the addresses 10.0.0.1, 10.0.0.2, ...; what still runs there at the end is killed."""
+    """Hosts 0, 1, ... with the addresses 10.0.0.1, 10.0.0.2, ...; processes that still run there at the end are killed."""
 
     def __init__(self, hosts):
-        """@raise RuntimeError if this machine allows no namespaces"""
+        """@raise RuntimeError if this machine does not permit namespaces"""
         own = f"cluster{os.getpid()}"
         self._switch = f"{own}s"
         self._hosts = [f"{own}h{number}" for number in range(hosts)]
@@ -43,7 +43,7 @@ class ClusterNetwork:
                 _ip("-n", namespace, "link", "set", device, "up")
 
     def command(self, host, command):
-        """@param command words @return words that run it on that host"""
+        """@param command list of words @return the words of a command that runs it on that host"""
         return ["ip", "netns", "exec", self._hosts[host], *command]
 
     def __exit__(self, *_):

@@ -1,4 +1,4 @@
-"""What a robot costs, by engine and by sensor, against how many there are: a picture, and its points as rows."""
+"""Cost per robot, by engine and by sensor, as a function of the number of robots: a picture, and its points as rows."""
 
 import math
 import statistics
@@ -13,11 +13,11 @@ import swarmanoid  # noqa: E402  pylint: disable=wrong-import-position
 from table import ROOT  # noqa: E402  pylint: disable=wrong-import-position
 
 PICTURE = ROOT / "docs/images/cost.png"
-AREA = 1.6          # m2 a robot
-LONG_ENOUGH = 0.6   # s, of each measurement
+AREA = 1.6          # per robot [m2]
+LONG_ENOUGH = 0.6   # minimum duration of a measurement [s]
 MOST_TICKS = 20000
 PAIRS = 3
-LEAST = 0.005       # microseconds a robot and tick: less cannot be told from nothing by two runs
+LEAST = 0.005       # [us] per robot and tick: the difference of two runs cannot resolve less
 
 ENGINES = {
     "kinematics2d": ("<kinematics2d id='ground'/>", (10, 100, 1000, 10000, 100000)),
@@ -53,7 +53,7 @@ def experiment(robots, engine, controller, actuators="", sensors=""):
 
 
 def turn(robots):
-    """All turn on the spot, send and are lit; commands stay."""
+    """All robots turn on the spot, send messages and light their LEDs; commands persist."""
     if robots.tick > 0:
         return
     wheels = robots.commands["footbot_wheels"]
@@ -67,7 +67,7 @@ def turn(robots):
 
 
 def cost(robots, **simulation):
-    """@return microseconds a robot and tick, after some ticks"""
+    """@return microseconds per robot and tick, after some ticks of warm-up"""
     with swarmanoid.Simulation(**simulation) as run:
         run.tick(20 if robots <= 10000 else 5)
         ticks, seconds = 1, 0.0
@@ -80,7 +80,7 @@ def cost(robots, **simulation):
 
 
 def of_sensor(robots, actuators, sensors):
-    """What comes on top of a robot without sensors: of pairs of runs in turn the median."""
+    """Additional cost compared with a robot without sensors: the median over interleaved pairs of runs."""
     def run(*devices):
         return cost(robots, text=experiment(robots, "<kinematics2d id='ground'/>", "diffusion", *devices), controllers={"dc": turn})
 

@@ -1,4 +1,4 @@
-"""Figures of devices: what adding one takes, what is wrong with them, robots without code, and how much code there is."""
+"""Figures of devices: effort to add one, faults, robots without code, and the amount of code."""
 
 import os
 import re
@@ -13,7 +13,7 @@ NOT_CODE = {"test", "testing", "benchmark"}
 
 
 def adding(table, build):
-    """What docs/how-to says, done in a copy of the tree."""
+    """Follows docs/how-to in a copy of the tree."""
     done = subprocess.run([sys.executable, ROOT / "scripts/docs_test.py", build,
                            "ListingsTest.test_pages_that_add_to_the_suite_can_be_followed"], capture_output=True, text=True,
                           env=dict(os.environ, DOCS_TEST_LONG="1"))
@@ -49,7 +49,7 @@ def layers(table):
 
 
 def lines_of_code():
-    """Without blank lines, comments and tests."""
+    """Number of lines, without blank lines, comments and tests."""
     count = 0
     for package in CODE:
         for folder, folders, names in os.walk(ROOT / f"src/swarmanoid_{package}"):

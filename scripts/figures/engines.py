@@ -32,7 +32,7 @@ def known_engines():
 
 
 def mappings(table):
-    """The retrieval experiment, with nothing changed but who moves what."""
+    """The retrieval experiment in each mapping of robots to engines, otherwise unchanged."""
     text = (ROOT / "src/swarmanoid_experiments/experiments/object_retrieval.xml").read_text()
     known = known_engines()
     for ground, sky in itertools.product(ENGINES["ground"], ENGINES["sky"]):
@@ -60,7 +60,7 @@ def mappings(table):
 
 
 def cooperation(table):
-    """What only several robots can do."""
+    """Tasks that only several robots together can do."""
     for experiment, what in (("group_pull", "ten footbots pull a prey that is too heavy for one, dynamics2d"),
                              ("gap", "a chain of five footbots over a gap that one falls into, dynamics3d")):
         good = 0
@@ -72,7 +72,7 @@ def cooperation(table):
 
 
 def dynamics2d(table, build):
-    """Ticks of diffusion in turn with Box2D alone, in one run; and how long a run takes to start."""
+    """Ticks of diffusion interleaved with Box2D alone, in one run, and the start time of a run."""
     binary = build / "devel/lib/swarmanoid_engines/swarmanoid_engines_dynamics2d_benchmark"
     done = subprocess.run([binary, "--benchmark_format=json"], capture_output=True, text=True, check=True)
     least = {(10, 4): 450, (1000, 4): 450, (10000, 4): 300, (10000, 10): 119}
@@ -98,7 +98,7 @@ def dynamics2d(table, build):
 
 
 def dynamics3d(table, build):
-    """Ticks of diffusion in turn with ODE alone, in one run."""
+    """Ticks of diffusion interleaved with ODE alone, in one run."""
     binary = build / "devel/lib/swarmanoid_engines/swarmanoid_engines_dynamics3d_benchmark"
     done = subprocess.run([binary, "--benchmark_format=json"], capture_output=True, text=True, check=True)
     for entry in json.loads(done.stdout)["benchmarks"]:
@@ -112,7 +112,7 @@ def dynamics3d(table, build):
 
 
 def crowd(file, kinematic, dynamic):
-    """Diffusion with some footbots in kinematics2d and some in dynamics3d, apart from each other."""
+    """Diffusion with some footbots in kinematics2d and some in dynamics3d, in separate areas."""
     def group(name, count, low, high):
         return (f'<distribute quantity="{count}" layout="uniform"><minimum>{low},{low},0</minimum><maximum>{high},{high},0'
                 f'</maximum><max_trials>100000</max_trials><footbot id="{name}"><controller>dc</controller></footbot>'
@@ -146,7 +146,7 @@ def mixed(table):
 
 
 def oracles(table, build):
-    """Tests that hold an engine against what physics says."""
+    """Tests that compare an engine with physics."""
     environment = dict(os.environ, SWARMANOID_LONG_TESTS="1")
     for engine, test, what, figure in (
             ("dynamics2d", "motion", "0.1 m/s for 10 s, an arc and a turn on the spot, subclock 1 to 50, up to 50 m from the origin",
@@ -217,7 +217,7 @@ def oracles(table, build):
 
 
 def climbing(table, build):
-    """The experiments with a handbot, seed by seed: how many bring the box down, and with a faulty sensor."""
+    """The experiments with a handbot over the seeds: number of seeds that bring the box down, also with a faulty sensor."""
     file = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_climbing_seeds_test"
     done = subprocess.run([file], capture_output=True, text=True, env=dict(os.environ, SWARMANOID_LONG_TESTS="1"))
     counts = [line for line in done.stdout.splitlines() if line.endswith(" seeds")]

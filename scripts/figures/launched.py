@@ -1,4 +1,4 @@
-"""A launched experiment: its own master, its services, and its end."""
+"""A launched experiment with its own master: start, services, and end."""
 
 import os
 import pathlib
@@ -22,7 +22,7 @@ TIMEOUT = 60.0  # [s]
 
 
 class Launched:
-    """Paused before the first tick; as fast as possible once it runs, unless commanded otherwise."""
+    """A launched space: paused before the first tick, and by default as fast as possible afterwards."""
 
     def __init__(self, *arguments, environment=None):
         self.folder = tempfile.TemporaryDirectory()
@@ -59,13 +59,13 @@ class Launched:
 
     @staticmethod
     def subscribers():
-        """Who listens, by topic, beside the nodes that a launch without rviz consists of: those read logs and the clock."""
+        """Subscribers by topic, without the nodes of a launch without rviz, which read logs and the clock."""
         own = {"/swarmanoid", "/space", "/rosout"}
         everybody = {topic: set(nodes) - own for topic, nodes in rosgraph.Master("/figures").getSystemState()[1]}
         return {topic: nodes for topic, nodes in everybody.items() if nodes}
 
     def run_to_end(self):
-        """@return ticks, and wall seconds as the caller of the service sees them"""
+        """@return ticks, and wall time measured by the caller of the service [s]"""
         start = time.monotonic()
         answer = self.step(10**6)
         seconds = time.monotonic() - start
@@ -74,7 +74,7 @@ class Launched:
         return answer.tick, seconds
 
     def stop(self):
-        """As Ctrl-C does."""
+        """Ends the launch by SIGINT, like Ctrl-C."""
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
             self.process.wait(TIMEOUT)

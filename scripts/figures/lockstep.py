@@ -15,14 +15,14 @@ from long_tests import rostest
 from table import ROOT, run
 
 SEEDS = range(1, 21)
-STARTS = 20  # of each experiment
+STARTS = 20  # per experiment
 CONTROLLERS = {"fb_1": "footbot_retrieval", "fb_2": "footbot_retrieval", "fb_3": "footbot_retrieval",
                "eb": "eyebot_retrieval"}
 CROWD = [f"fb_{i}" for i in range(1, 21)]
 
 
 class Elsewhere:
-    """Controllers in a process of their own, as launch/robot.launch starts them."""
+    """Controllers in a separate process, started by launch/robot.launch."""
 
     def __init__(self, space, robots, controller):
         self.process = subprocess.Popen(
@@ -39,7 +39,7 @@ class Elsewhere:
 
 
 def processor_time(*launches):
-    """Of the processes that these launches started [s]."""
+    """Processor time of the processes that these launches started [s]."""
     ticks = 0
     for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
         with contextlib.suppress(FileNotFoundError, ProcessLookupError):
@@ -50,7 +50,7 @@ def processor_time(*launches):
 
 
 class Sums:
-    """Ticks, and the time they took, over several runs."""
+    """Ticks and their time, summed over several runs."""
 
     def __init__(self):
         self.ticks = 0
@@ -77,9 +77,9 @@ def set_source(names, source):
 
 
 def here_and_there(launch, processes, seeds, expected):
-    """Runs with controllers in other processes, and the same runs of the same space with all controllers in its own.
-    @param processes (robots, controller) for each; @param expected hashes by seed; a seed that is not there: as in process
-    @return sums of both, and the seeds whose hashes are not equal @throws RuntimeError if a run does not come to its end"""
+    """Makes runs with controllers in other processes, and the same runs of the same space with all controllers in its process.
+    @param processes (robots, controller) for each; @param expected hashes by seed; without an entry the run in process counts
+    @return sums of both, and the seeds with unequal hashes @throws RuntimeError if a run does not finish"""
     robots = [robot for names, _ in processes for robot in names]
     there, here, unequal = Sums(), Sums(), []
     with Launched("hashes:=hashes.txt", "lockstep_policy:=stop", "lockstep_timeout:=10", *launch) as space, \
@@ -87,9 +87,9 @@ def here_and_there(launch, processes, seeds, expected):
         space.wait_for_service("/space/set_command_source")
         set_source(robots, "remote")
         launches = [space] + [started.enter_context(Elsewhere(space, *process)) for process in processes]
-        space.step(10)  # the first tick waits for all of them
+        space.step(10)  # the first tick waits for all processes
         for seed in seeds:
-            space.reset(seed=seed)  # all are commanded from here again, as the file says
+            space.reset(seed=seed)  # the controllers in process command all robots again
             here.add(space, launches)
             alone = (space.path / "hashes.txt").read_text()
             space.reset(seed=seed)
@@ -139,7 +139,7 @@ def accidents(table):
 
 
 def starts(table):
-    """Each installed experiment at all paces: somebody registers and the run goes on."""
+    """Each installed experiment at all paces: a participant registers and the run continues."""
     file = ROOT / "src/swarmanoid_experiments/rostest/lockstep_start_test.py"
     done = subprocess.run([file], capture_output=True, text=True, env=dict(os.environ, LOCKSTEP_STARTS=str(STARTS)))
     words = [line for line in done.stderr.splitlines() if line.startswith(("Ran ", "OK", "FAILED"))]

@@ -1,4 +1,4 @@
-"""Tests that take long, and tests under a sanitizer."""
+"""Long tests, and tests with a sanitizer."""
 
 import os
 import shutil
@@ -10,7 +10,7 @@ from table import ROOT
 
 
 def last_word(output):
-    """Of a gtest. What failed is printed whole: after twenty minutes nobody wants to run it again to see why."""
+    """Last line about the result of a gtest. The whole output of a failed test is printed, since some take 20 minutes."""
     if "FAILED" in output:
         print(output, file=sys.stderr)
     last = [line for line in output.splitlines() if "PASSED" in line or "FAILED" in line]
@@ -18,7 +18,7 @@ def last_word(output):
 
 
 def rostest(name, package="experiments"):
-    """@return the last words of a test with a master of its own, and whether it passed"""
+    """@return the summary of a test with a master of its own, and whether it passed"""
     with tempfile.TemporaryDirectory() as home:
         done = subprocess.run(["rostest", ROOT / f"src/swarmanoid_{package}/rostest/{name}.test"], capture_output=True,
                               text=True, env=dict(os.environ, ROS_HOME=home))
@@ -54,7 +54,7 @@ def long_tests(table, build):
 
 
 def sanitizer(table):
-    """Builds what one test needs with the address sanitizer, and runs it."""
+    """Builds and runs one test with the address sanitizer."""
     targets = ["swarmanoid_experiments_repeatability_test", "swarmanoid_devices", "swarmanoid_engines",
                "swarmanoid_visualisations", "retrieval_monitor", "footbot_retrieval", "eyebot_retrieval"]
     cache = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []

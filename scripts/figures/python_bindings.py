@@ -66,7 +66,7 @@ print(repr(resident() - before))
 
 
 def evaluate(program):
-    """Runs a program in a process of its own. @return the value that it prints"""
+    """Runs a program in a separate process. @return the value that it prints"""
     done = subprocess.run([sys.executable, "-c", program], cwd=HERE, capture_output=True, text=True)
     if done.returncode != 0:
         raise RuntimeError(done.stderr)
@@ -94,7 +94,7 @@ def python_alone(table):
 
 
 def python_memory(table):
-    most = 1024   # KiB: pages that the allocator keeps
+    most = 1024   # [KiB], for pages kept by the allocator
     growth = evaluate(MEMORY)
     table.add("10,000 simulations with controllers and a rule in Python, made and dropped in one process: growth of its memory after the "
               "first 1,000", f"none: under {most:,} KiB", f"{growth:,} KiB", growth < most)

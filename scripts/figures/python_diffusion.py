@@ -1,5 +1,5 @@
-"""Diffusion of footbots in Python, over all robots at once and one robot at a time: the computation of the controller
-`diffusion` in C++, number by number, so that runs have the same bits."""
+"""Diffusion of footbots in Python, for all robots at once and for one robot at a time: exactly the computation of the C++
+controller `diffusion`, so that runs are equal, bit for bit."""
 
 import math
 
@@ -14,7 +14,7 @@ RADIUS, SEPARATION = 0.029, 0.140        # of the wheels [m]
 
 
 def experiment(robots, area=1.6):
-    """Footbots at random places in a square arena with walls. @param area of the floor for each robot [m2]"""
+    """Footbots at random places in a square arena with walls. @param area of the floor per robot [m2]"""
     side = math.sqrt(robots * area)
     return f"""<ahss-config><framework><clocktick>100</clocktick><maxclock>1000000000</maxclock></framework><controllers>
       <diffusion id="dc" library="diffusion"><actuators><footbot_wheels/></actuators><sensors><footbot_proximity/></sensors>
@@ -27,7 +27,8 @@ def experiment(robots, area=1.6):
 
 
 class AtOnce:
-    """Few robots have anything near: the others drive straight on, and only for these few is there more to compute."""
+    """Controller of all robots. Few robots have an obstacle near, and only these need the full computation; the others drive
+    straight on."""
 
     def init(self, parameters):
         self.wheel_speed = float(parameters["speed"]) / RADIUS
@@ -36,7 +37,7 @@ class AtOnce:
     def step(self, robots):
         value = robots.readings["footbot_proximity"].value                        # (robots, 24)
         near = numpy.unique(numpy.flatnonzero(value.ravel() != 0) // 24)
-        ahead = value[near].T[AHEAD]                                             # (sensors ahead, robots with anything near)
+        ahead = value[near].T[AHEAD]                                             # (sensors ahead, robots with an obstacle near)
         x, y = (ahead * COSINES).sum(axis=0), (ahead * SINES).sum(axis=0)
         turns = numpy.hypot(x, y) > THRESHOLD
         turning, y = near[turns], y[turns]

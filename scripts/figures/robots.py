@@ -1,4 +1,4 @@
-"""Figures of controllers on robots: their providers, their stops, and what they did, once more."""
+"""Figures of controllers on robots: providers, safe stops, and replay of recordings."""
 
 import os
 import subprocess
@@ -9,8 +9,8 @@ from table import ROOT
 
 
 def last_words_of(command, **variables):
-    """@param variables of its environment
-    @return those of a test in Python, and whether it passed"""
+    """@param variables of the test's environment
+    @return summary of a Python test, and whether it passed"""
     done = subprocess.run(command, capture_output=True, text=True, env=dict(os.environ, **variables))
     words = [line for line in done.stderr.splitlines() if line.startswith(("Ran ", "OK", "FAILED"))]
     return "; ".join(words) or "did not run", done.returncode == 0 and "skipped" not in done.stderr

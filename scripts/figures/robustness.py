@@ -1,4 +1,4 @@
-"""Figures of what attacks come to: inputs that nobody would write, by the thousand, and sanitizers and coverage of the tests."""
+"""Figures of robustness: thousands of malformed inputs, sanitizers, and coverage of the tests."""
 
 import json
 import os
@@ -12,12 +12,12 @@ from table import ROOT
 
 EXPERIMENTS = ROOT / "src/swarmanoid_experiments"
 FILES, IMAGES, FRAMES, CALLS = 10_000, 1_200, 1_000, 2_000
-# Signals are the suite's own to handle, and some tests raise them; one that nobody expects ends its test.
+# The suite handles signals itself, and some tests raise them; an unexpected signal ends its test.
 NO_SIGNALS = "handle_segv=0:handle_sigbus=0:handle_abort=0:handle_sigill=0:handle_sigfpe=0:use_sigaltstack=0"
 SANITIZERS = {"address,undefined": {"ASAN_OPTIONS": f"detect_leaks=0:{NO_SIGNALS}", "UBSAN_OPTIONS": "print_stacktrace=1"},
               "thread": {"TSAN_OPTIONS": f"suppressions={ROOT / 'scripts/figures/thread_sanitizer.supp'}:{NO_SIGNALS}"}}
-TICKS = 100  # of each experiment under a sanitizer
-# experiments have few robots: a crowd that fills several blocks of what threads do
+TICKS = 100  # per experiment with a sanitizer
+# experiments have few robots; this crowd fills several blocks, so that several threads work
 CROWD, CROWD_TICKS = 4000, 25
 CROWDED = ("--set", f"arena.distribute.quantity={CROWD}", "--set", "arena.size=20,20,1", "--set", "arena.distribute.maximum=19.8,19.8,0")
 REPORT = re.compile(r"ERROR: \w+Sanitizer|WARNING: ThreadSanitizer|runtime error: ")
@@ -52,7 +52,7 @@ def fuzzers(table, build):
 
 
 class InstrumentedBuild:
-    """The suite with all unit tests, built with other flags in a folder that goes again."""
+    """The suite with all unit tests, built with other flags in a temporary folder."""
 
     def __init__(self, *options):
         self._folder = tempfile.TemporaryDirectory(prefix="swarmanoid_instrumented_")
@@ -71,14 +71,14 @@ class InstrumentedBuild:
         self._folder.cleanup()
 
     def run(self, *command, environment=None):
-        """In its devel space. @return exit code and all output"""
+        """Runs a command in the devel space. @return exit code and all output"""
         shell = ["bash", "-c", f'source {self.path}/devel/setup.bash && exec "$@"', "bash", *map(str, command)]
         done = subprocess.run(shell, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", cwd=self.path,
                               env=dict(os.environ, **(environment or {})), check=False)
         return done.returncode, done.stdout
 
     def unit_tests(self, environment=None):
-        """All but those that count allocations, which sanitizers make too. @return the last words, and all output"""
+        """Runs all unit tests except those that count allocations, since sanitizers allocate. @return summary, and all output"""
         _, output = self.run("ctest", "-R", "_gtest_", "-E", "allocation", "--verbose", "--timeout", "3600",
                              environment=environment)
         words = re.findall(r"^\d+% tests passed.*$", output, re.M)
@@ -90,7 +90,7 @@ def sanitizers(table):
                    EXPERIMENTS / "test/data/good.xml"]
     runs = [*((experiment, TICKS) for experiment in experiments), (EXPERIMENTS / "experiments/diffusion.xml", CROWD_TICKS, *CROWDED)]
     for kind, environment in SANITIZERS.items():
-        # -O1 -g1: less than half as long to compile as with all optimisations, and assertions hold
+        # -O1 -g1 compiles in less than half the time of full optimisation, and keeps assertions
         with InstrumentedBuild(f"-DSWARMANOID_SANITIZE={kind}", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -g1") as build:
             words, output = build.unit_tests(environment)
             failed = 0
@@ -109,8 +109,8 @@ def sanitizers(table):
 
 
 def coverage(table):
-    # some optimisation, without which crowds in engines take an hour; lines that it merges count as run when one of them is
-    # counters that several threads share are atomic, else some end below zero, which gcovr takes for an error
+    # -O1: without optimisation crowds in engines take an hour; merged lines count as run if one of them is run. Counters are
+    # atomic, since threads share them; otherwise some become negative, which gcovr reports as an error
     with InstrumentedBuild("-DCMAKE_CXX_FLAGS=-O1 -g1 --coverage -fprofile-update=atomic", "-DCMAKE_BUILD_TYPE=None") as build:
         words, _ = build.unit_tests()
         code, text = build.run("gcovr", "--root", ROOT, "--filter", f"{ROOT}/src/.*/(src|include)/", "--exclude", ".*/test.*",

@@ -52,7 +52,7 @@ def same_bits(table):
 
 
 def threads(table):
-    """Many more robots than the experiments have, so that all threads get some."""
+    """Speed with threads, with many more robots than in the experiments, so that all threads get work."""
     ticks = 300
     with tempfile.TemporaryDirectory() as folder:
         for robots in (10000, 100000):
@@ -68,14 +68,15 @@ def threads(table):
 
 
 def any_processor(table):
-    """The long form of a test: all installed experiments, with and without fused multiply-add."""
+    """The long version of a test: all installed experiments, with and without fused multiply-add."""
     test = ROOT / "src/swarmanoid_experiments/test/program_same_bits_test.py"
     table.add("all installed experiments, seeds 1-10, 1,000 ticks, fused multiply-add of the processor seen or hidden",
               "equal state hash", *last_words_of([test], SWARMANOID_LONG_TESTS="1"))
 
 
 def diffusion_of(folder, robots, source=ROOT):
-    """The experiment `diffusion` of a source tree with another number of robots, on as much floor each. @return its file"""
+    """The experiment `diffusion` of a source tree with another number of robots, and the same floor area per robot.
+    @return its file"""
     text = (source / "src/swarmanoid_experiments/experiments/diffusion.xml").read_text()
     side = 1.265 * robots ** 0.5
     for old, new in (("12.65,12.65,1", f"{side:.4f},{side:.4f},1"), ('quantity="100"', f'quantity="{robots}"'),
@@ -89,11 +90,11 @@ def diffusion_of(folder, robots, source=ROOT):
 
 
 def first_tick(folder, robots):
-    """@return seconds from the command to the end of the first tick, most memory of the process [KiB]"""
+    """@return seconds from the command to the end of the first tick, peak memory of the process [KiB]"""
     start = time.perf_counter()
     program = subprocess.Popen(["swarmanoid", "run", diffusion_of(folder, robots), "--ticks", "1", "--quiet"],
                                stdout=subprocess.PIPE, text=True)
-    summary = json.loads(program.stdout.readline())  # what is still to come is the end of the process
+    summary = json.loads(program.stdout.readline())  # afterwards the process only exits
     seconds = time.perf_counter() - start
     _, status, usage = os.wait4(program.pid, 0)
     found = round(summary["robot_ticks_per_s"] * summary["wall_s"])

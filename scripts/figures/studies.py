@@ -14,20 +14,20 @@ from swarmanoid_studies.runs import RunRequest
 from table import ROOT
 
 EXPERIMENT = "object_retrieval"
-FIXED_S = 5e-3  # of a run in a batch
+FIXED_S = 5e-3  # fixed cost of a run in a batch [s]
 FOLDER = ROOT / "src/swarmanoid_studies/studies"
-UNSEEN = "101..200"  # seeds with which nothing was evolved
+UNSEEN = "101..200"  # seeds not used in evolutions
 LIMIT_S = 600
-PART = 0.9           # of what is written by hand that is to be reached
+PART = 0.9           # required fraction of the result of handwritten parameters
 
 
 class Study(NamedTuple):
     name: str
     what: str
-    metric: str      # of which less is better
-    measure: str     # what that is, in words
+    metric: str      # less is better
+    measure: str     # meaning of the metric, in words
     unit: str
-    by_hand: tuple   # arguments of `swarmanoid batch` that run what is written by hand
+    by_hand: tuple   # arguments of `swarmanoid batch` for the handwritten solution
 
 
 STUDIES = (
@@ -51,14 +51,14 @@ def call(folder, *arguments):
 
 
 def mean_of(path, metric, **only):
-    """Of a column of a CSV file. @param only values that other columns must have"""
+    """Mean of a column of a CSV file. @param only required values of other columns"""
     with open(path, newline="") as file:
         found = [float(row[metric]) for row in csv.DictReader(file) if all(row[name] == value for name, value in only.items())]
     return sum(found) / len(found)
 
 
 def unseen(folder, name, metric, *arguments):
-    """Mean over the unseen seeds."""
+    """Mean of a metric over the unseen seeds."""
     call(folder, "batch", *arguments, "--seeds", UNSEEN, "--no-report", "--out", f"{name}.csv")
     return mean_of(pathlib.Path(folder) / f"{name}.csv", metric)
 
@@ -87,7 +87,7 @@ def evolution(table, study):
 
 
 def batch(table):
-    """In turn, so that noise of the machine meets both."""
+    """Speed of batches with one and two jobs, interleaved, so that noise of the machine affects both."""
     rates = {1: [], 2: []}
     with tempfile.TemporaryDirectory() as folder:
         for _ in range(3):
@@ -100,7 +100,7 @@ def batch(table):
 
 
 def fixed_cost(table):
-    """Of a run in a batch, in one process of a worker; and what a batch makes of one processor."""
+    """Fixed cost of a run in a batch, in one worker process, and the efficiency of a batch on one processor."""
     first, ticks, seconds = [], 0, 0.0
     for seed in range(1, 201):
         begin = time.perf_counter()

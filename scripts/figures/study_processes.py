@@ -1,4 +1,4 @@
-"""Figures of studies whose processes are killed, and of those that a cluster makes."""
+"""Figures of studies with killed processes, and of studies on a cluster."""
 
 import contextlib
 import csv
@@ -34,7 +34,7 @@ print(len({worker["host"] for worker in client.scheduler_info()["workers"].value
 
 
 def rows(path):
-    """Of a batch, without the column of wall time."""
+    """Rows of a batch, without the column of wall time."""
     with open(path, newline="") as file:
         head, *found = csv.reader(file)
     wall = head.index("wall_s")
@@ -42,7 +42,7 @@ def rows(path):
 
 
 def start(folder, *words):
-    """A program in a folder. What it says is for nobody."""
+    """Starts a program in a folder, and discards its output."""
     return subprocess.Popen(list(map(str, words)), cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
@@ -53,7 +53,7 @@ def descendants(program):
 
 
 def kill(program):
-    """-9, and waits until what it had started is gone too."""
+    """Sends SIGKILL, and waits until the child processes have ended, too."""
     others = descendants(program)
     program.kill()
     program.wait(PATIENCE_S)
@@ -62,7 +62,7 @@ def kill(program):
 
 
 def worker_of(program, chance):
-    """One of the processes that make runs, once there are any; None if the program has ended."""
+    """Waits for processes that make runs. @return one of them, or None if the program has ended"""
     while program.poll() is None:
         workers = [child for child in descendants(program) if any("spawn_main" in word for word in child.cmdline())]
         if workers:
@@ -98,7 +98,7 @@ def kill_the_scheduler(folder, _chance, seconds):
 
 
 def kills(table):
-    """At random times, some of them before the first run and after the last one."""
+    """Kills at random times, some of them before the first run and after the last one."""
     chance = random.Random(time.time_ns())
     good = 0
     with tempfile.TemporaryDirectory() as name:
@@ -140,7 +140,7 @@ def workers(table):
 
 
 def page_commands():
-    """@return the words of the scheduler's, a worker's and the batch's command in the how-to"""
+    """@return the commands of the scheduler, a worker and the batch in the how-to, as words"""
     text = PAGE.read_text()
     found = [re.search(pattern, text, re.MULTILINE) for pattern in
              (r"^    (dask-scheduler --host 10\.0\.0\.1 .*?)(?:#|$)", r"^    (swarmanoid worker tcp://10\.0\.0\.1:\d+) +#",

@@ -1,4 +1,4 @@
-"""The table of figures, and running experiments for it."""
+"""The table of figures, and runs of experiments for it."""
 
 import datetime
 import json
@@ -8,26 +8,26 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# Pages, and how figures are made: no part of what is measured. Who changes how a row is made makes it anew.
+# Pages and scripts of figures, which are no part of the measured code. A change of a row's script requires a new measurement.
 OF_FIGURES = ("docs", "CHANGELOG.md", "scripts/figures", "src/swarmanoid_experiments/fuzz")
 HEAD = ["what", "promised", "seen", "reached", "from"]
 
 
 class Table:
-    """Rows by what they say. Those that are made anew replace those of the page; the others stay, each with the commit and
-    the day that it is from."""
+    """Rows by their first column. New rows replace those of the page; the others keep the commit and the day of their
+    measurement."""
 
     def __init__(self, page=""):
-        """@param page what was written before"""
+        """@param page the earlier page"""
         rows = [line.strip("| ").split(" | ") for line in page.splitlines() if line.startswith("| ")][2:]
         self._rows = {row[0]: row for row in rows}
-        # of what was measured: rows can be made over days, and be committed as they come
+        # the last commit of the measured code, since rows may be measured and committed over several days
         commit = subprocess.run(["git", "log", "-1", "--format=%h", "--", ".", *(f":(exclude){path}" for path in OF_FIGURES)],
                                 capture_output=True, text=True, cwd=ROOT, check=True)
         self._origin = f"{commit.stdout.strip()}, {datetime.date.today()}"
 
     def add(self, what, figure, seen, reached):
-        """reached is None where nothing is promised."""
+        """@param reached None without a promise"""
         verdict = "-" if reached is None else "yes" if reached else "**not reached**"
         self._rows[what] = [what, figure, seen, verdict, self._origin]
         print(f"{what}: {seen} ({verdict})", file=sys.stderr)

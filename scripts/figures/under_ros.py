@@ -15,7 +15,7 @@ from table import ROOT, run
 
 
 def speed(table):
-    """Each seed once without ROS and once as a step of the launched space, timed by the caller of the service."""
+    """Speed of each seed, once without ROS and once as a step of the launched space, timed by the caller of the service."""
     alone_ticks = alone_s = ros_ticks = ros_s = 0.0
     with Launched() as space:
         listeners = space.subscribers()
@@ -35,7 +35,7 @@ def speed(table):
 
 
 def recording(table):
-    """Ten runs into one bag, which is then searched for gaps."""
+    """Records ten runs into one bag, and searches it for gaps."""
     lengths, wall_s = [], 0.0
     with Launched("record:=run.bag") as space:
         for seed in range(1, 11):
@@ -94,7 +94,7 @@ def hashes_of(*arguments):
 
 @contextlib.contextmanager
 def screen():
-    """A screen that is not there, for programs that need one. @return the name of the display"""
+    """A virtual screen. @return the name of the display"""
     read_end, write_end = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1400x900x24", "-nolisten", "tcp"],
                               pass_fds=[write_end], stderr=subprocess.DEVNULL)
@@ -108,7 +108,7 @@ def screen():
 
 
 def hashes_with_rviz():
-    """At ten times real time, slow enough for rviz to draw. @return the hashes, and the topics that rviz subscribed to"""
+    """Runs at ten times real time, slow enough for rviz to draw. @return the hashes, and the topics to which rviz subscribed"""
     wanted = {"/tf", "/tf_static", "/space/markers", "/space/markers_static"}
     with screen() as display, Launched("seed:=11", "hashes:=hashes.txt", "rviz:=true", "real_time_factor:=10",
                                        environment={"DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"}) as space:

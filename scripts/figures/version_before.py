@@ -1,4 +1,4 @@
-"""Speed against a version before, which is built as well and run in turn: ratios say the same on any machine."""
+"""Speed compared with an earlier version, which is also built, and run interleaved: ratios are comparable between machines."""
 
 import pathlib
 import statistics
@@ -15,9 +15,9 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from instruction_counts import Build  # noqa: E402  pylint: disable=wrong-import-position
 from surroundings import outside_of_workspaces  # noqa: E402  pylint: disable=wrong-import-position
 
-BEFORE = "9a27db6d"  # of 29 November 2026, the last one before the engines' laws of pushing and friction were mended
+BEFORE = "9a27db6d"  # of 29 November 2026, the last commit before corrections of pushing and friction in the engines
 PAIRS = 3
-FIRST_TICKS = 20  # are taken off, with the start
+FIRST_TICKS = 20  # subtracted, with the start of the program
 GOAL = 0.9
 
 
@@ -34,7 +34,7 @@ WORLDS = (World("kinematics2d", 1, 10, 400_000), World("kinematics2d", 1, 1_000,
 
 
 def build_before(source):
-    """As that version builds itself."""
+    """Builds that version by its own scripts."""
     done = subprocess.run(["bash", "-c", "set -eu; root=$PWD; source scripts/setup.sh; build build -DBUILD_TESTS_IN_ALL=OFF"],
                           cwd=source, env=outside_of_workspaces(), capture_output=True, text=True)
     if done.returncode != 0:
@@ -43,7 +43,7 @@ def build_before(source):
 
 
 def speed(build, file, world):
-    """@return thousand robots x ticks in a second of processor time"""
+    """@return thousands of robots x ticks per second of processor time"""
     seconds = []
     for until in (FIRST_TICKS, FIRST_TICKS + world.ticks):
         start = processor_time()
@@ -55,7 +55,7 @@ def speed(build, file, world):
 
 
 def file_of(folder, world, source):
-    """Diffusion, in the world's engine."""
+    """@return file of the experiment diffusion with the world's engine and number of robots"""
     file = diffusion_of(folder, world.robots, source)
     text, old = file.read_text(), '<kinematics2d id="ground"/>'
     if old not in text:

@@ -35,7 +35,7 @@ class LanternType final : public swarmanoid::EntityType {
       pole.position.z() = 0.5 * height;
       model->shapes.push_back(pole);
       model->measureShapes();
-      model->led_positions.emplace_back(0.0, 0.0, height + kRadius);  // where cameras see its colour
+      model->led_positions.emplace_back(0.0, 0.0, height + kRadius);  // position at which cameras see its colour
       model->properties.push_back({swarmanoid::kIntensity, "", "Times the brightness of an LED of its colour.",
                                    swarmanoid::kIntensityRange, intensity});
       return model;

@@ -1,4 +1,4 @@
-// Patrol: a leg straight ahead, a turn on the spot, and so on; it waits while something is near.
+// Patrol: alternates a leg straight ahead and a turn on the spot; waits while an obstacle is near.
 #include <algorithm>
 
 #include "swarmanoid_interface/controller.hpp"
@@ -40,9 +40,9 @@ class Patrol final : public swarmanoid::Controller {
   swarmanoid::FootbotWheels* wheels_ = nullptr;
   const swarmanoid::FootbotProximity* proximity_ = nullptr;
   double speed_ = 0.0;            // of the wheels [rad/s]
-  double leg_ = 0.0;              // how long it goes straight ahead [s]
-  double turn_ = 0.0;             // how long it turns [s]
-  swarmanoid::Duration clock_{};  // since the leg began, waiting left out
+  double leg_ = 0.0;              // duration of a leg [s]
+  double turn_ = 0.0;             // duration of a turn [s]
+  swarmanoid::Duration clock_{};  // time since the start of the leg, without waiting
 };
 
 REGISTER_CONTROLLER(Patrol, "patrol")

@@ -1,4 +1,4 @@
-// A carousel: what stands on it goes round a vertical axis at a constant rate. Nothing on it collides.
+// A carousel: moves its entities around a vertical axis at a constant rate, without collisions.
 #include <algorithm>
 #include <vector>
 
@@ -55,7 +55,7 @@ class Carousel final : public swarmanoid::Engine {
   }
 
   void add(Space& space, Row row, swarmanoid::Role role) override {
-    // rays hit a mirror in the engine that moves it; here it changes nothing
+    // rays hit a mirrored entity in the engine that moves it, so this engine ignores mirrors
     if (role == swarmanoid::Role::kMove) {
       riders_.push_back({row, space.entities.model[row], space.entities.pose[row]});
     }
@@ -102,7 +102,7 @@ class Carousel final : public swarmanoid::Engine {
   struct Rider {
     Row row;
     std::shared_ptr<const EntityModel> model;
-    Pose pose;  // as in the space
+    Pose pose;  // copy of the pose in the space
   };
 
   std::vector<Rider> riders_;

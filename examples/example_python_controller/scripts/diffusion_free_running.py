@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""diffusion_free_running.py ROBOT: straight on until something is near, then turn away from it, over the robot's standard
-topics. Nobody waits for it: it drives simulated and real robots alike, but two runs are never quite the same."""
+"""diffusion_free_running.py ROBOT: drives straight on until an obstacle is near, then turns away from it, over the robot's
+standard topics. It drives simulated and real robots; the simulator does not wait for it, so no two runs are equal."""
 
 import math
 
@@ -8,11 +8,11 @@ import rospy
 from geometry_msgs.msg import Twist
 from swarmanoid_msgs.msg import ProximityArray
 
-RATE = 10.0      # commands a second; a robot stops when none comes for half a second
+RATE = 10.0      # [commands/s]; a robot stops after 0.5 s without a command
 SPEED = 0.1      # [m/s]
 TURN_RATE = 1.5  # [rad/s]
 THRESHOLD = 0.05
-HALF_FIELD = 1.5  # [rad]; what is farther to the side does not count
+HALF_FIELD = 1.5  # [rad]; obstacles farther to the side are ignored
 
 
 class Diffusion:
@@ -28,7 +28,7 @@ class Diffusion:
         command = Twist()
         if math.hypot(x, y) <= THRESHOLD:
             command.linear.x = SPEED
-        else:  # once begun, it goes on to the same side
+        else:  # a turn keeps its side until it ends
             command.angular.z = self._command.angular.z or (-TURN_RATE if y > 0.0 else TURN_RATE)
         self._command = command
 
@@ -44,4 +44,4 @@ if __name__ == "__main__":
     try:
         Diffusion(rospy.myargv()[1]).drive()
     except rospy.ROSInterruptException:
-        pass  # the end of ROS while it sleeps
+        pass  # ROS was shut down during sleep

@@ -1,4 +1,4 @@
-// Puts an entity at another place of the arena now and then, drawn at random, and counts how often.
+// Moves an entity to a random place of the arena at regular intervals, and counts the moves.
 #include "swarmanoid_space/rule.hpp"
 
 using swarmanoid::Configuration;
@@ -37,9 +37,9 @@ class Relocation final : public swarmanoid::Rule {
   void afterTick(const Space& space, InterventionQueue& queue) override {
     const swarmanoid::Row row = space.entities.find(entity_);
     if (row == swarmanoid::kNoRow) {
-      return;  // deleted, or not there yet
+      return;  // deleted or not yet spawned
     }
-    if (space.placed[row] > last_placed_) {  // what was asked for after the last tick has been done
+    if (space.placed[row] > last_placed_) {  // the move requested after the last tick was applied
       last_placed_ = space.placed[row];
       moves_->value += 1.0;
     }
@@ -47,7 +47,7 @@ class Relocation final : public swarmanoid::Rule {
       swarmanoid::Pose pose = space.entities.pose[row];
       pose.position.x() = random().uniform(space.corner.x(), space.farCorner().x());
       pose.position.y() = random().uniform(space.corner.y(), space.farCorner().y());
-      queue.tryTo(swarmanoid::MoveEntity{entity_, pose});  // something may be in the way there
+      queue.tryTo(swarmanoid::MoveEntity{entity_, pose});  // fails if the place is occupied
     }
   }
 

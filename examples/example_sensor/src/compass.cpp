@@ -1,4 +1,4 @@
-// The simulated compass: where north is as the robot sees it, with noise.
+// The simulated compass: direction of north in the robot's frame, with noise.
 #include "example_sensor/compass.hpp"
 
 #include <cmath>

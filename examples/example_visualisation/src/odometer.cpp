@@ -1,4 +1,4 @@
-// How far an entity has gone: a line a tick in a file, a result of the run, and the end of the run at a goal.
+// Path length of an entity: writes a line per tick to a file and a result of the run, and ends the run at a goal.
 #include <cstdio>
 
 #include "swarmanoid_space/output/out_file.hpp"
@@ -41,7 +41,7 @@ class Odometer final : public swarmanoid::Observer {
   void draw(const Space& space) override {
     const swarmanoid::Row row = space.entities.find(entity_);
     if (row == swarmanoid::kNoRow) {
-      return;  // deleted, or not there yet
+      return;  // deleted or not yet spawned
     }
     const Eigen::Vector3d& position = space.entities.pose[row].position;
     travelled_ += is_under_way_ ? (position - last_position_).norm() : 0.0;

@@ -9,7 +9,7 @@ namespace {
 
 PyObject* rule_error = nullptr;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): a class of the module
 
-/// The exceptions live as long as the process: what is thrown may be translated until its end.
+/// Adds an exception class. Exception classes live as long as the process, since errors are translated until its end.
 PyObject* add(py::module_& module, const char* name, const char* text, PyObject* base) {
   const std::string full = std::string("swarmanoid.") + name;
   PyObject* const error = PyErr_NewExceptionWithDoc(full.c_str(), text, base, nullptr);
@@ -17,7 +17,7 @@ PyObject* add(py::module_& module, const char* name, const char* text, PyObject*
   return error;
 }
 
-/// A mistake in an experiment, with where it stands.
+/// Raises an error in an experiment, with its file and line.
 void raise(const ConfigError& error, PyObject* type) {
   const py::object exception = py::reinterpret_borrow<py::object>(type)(error.what());
   exception.attr("file") = error.location().file;
@@ -41,7 +41,7 @@ void bindErrors(py::module_& module) {
       add(module, "InterventionError", "What was asked for cannot be done; the world is as it was.", PyExc_ValueError);
   rule_error =
       add(module, "RuleError", "A rule in Python has thrown its __cause__; the run is over.", PyExc_RuntimeError);
-  // by value, as pybind11 calls it
+  // by value: pybind11 prescribes the signature
   py::register_exception_translator([](std::exception_ptr pointer) {  // NOLINT(performance-unnecessary-value-param)
     try {
       if (pointer) {

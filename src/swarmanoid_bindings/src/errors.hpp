@@ -1,5 +1,5 @@
-/// The exceptions of the package, all of them errors that Python knows too: ExperimentError and InterventionError are
-/// ValueErrors, RuleError is a RuntimeError.
+/// The exceptions of the package, derived from Python's own: ExperimentError and InterventionError are ValueErrors,
+/// RuleError is a RuntimeError.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -9,17 +9,17 @@
 
 namespace swarmanoid::bindings {
 
-/// A request to a running world cannot be fulfilled. Becomes InterventionError.
+/// A rejected intervention in a running world. Becomes InterventionError in Python.
 class InterventionError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The class of errors in rules that are written in Python. @pre bindErrors was called
+/// The class RuleError, for errors in Python rules. @pre bindErrors was called
 PyObject* ruleError();
 
-/// What Python has thrown, in one line with the place: "ValueError: found 3 (/home/me/shy.py:7)".
-/// @pre Python's lock is held
+/// A Python exception in one line with its location: "ValueError: found 3 (/home/me/shy.py:7)".
+/// @pre the GIL is held
 std::string describe(const pybind11::error_already_set& error);
 
 /// Adds the exceptions to the module. ConfigError becomes ExperimentError, with `file` and `line`.

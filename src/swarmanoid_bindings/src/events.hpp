@@ -1,4 +1,4 @@
-/// What happened in a tick, for Python.
+/// Events of a tick, for Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,7 +8,7 @@
 
 namespace swarmanoid::bindings {
 
-/// A dictionary each: kind, entity, other, text.
+/// A list of dictionaries with the keys kind, entity, other, text.
 inline pybind11::list eventsOf(const Space& space) {
   using pybind11::operator""_a;
   pybind11::list events;

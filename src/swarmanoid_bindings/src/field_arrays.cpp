@@ -26,7 +26,7 @@ std::vector<py::ssize_t> shapeOf(const FieldPlaces& field, std::size_t records) 
   return shape;
 }
 
-/// Calls copy(number of bytes) so that compilers know the number, if it is that of one number, which most fields are.
+/// Calls copy(number of bytes). The common sizes of a single number are passed as compile-time constants.
 template <class Copy>
 void withSize(std::size_t size, Copy copy) {
   if (size == sizeof(double)) {
@@ -40,7 +40,7 @@ void withSize(std::size_t size, Copy copy) {
 
 std::string textOf(const py::handle& object) { return py::str(object); }
 
-/// Whether it is an array with these numbers in this shape, one behind the other: most are, and take no time then.
+/// Whether the value is a contiguous array of that type and shape, so that no conversion is needed.
 bool isReady(const py::object& value, const py::dtype& wanted, const FieldPlaces& field, std::size_t records) {
   if (!py::isinstance<py::array>(value)) {
     return false;
@@ -51,8 +51,8 @@ bool isReady(const py::object& value, const py::dtype& wanted, const FieldPlaces
          std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim());
 }
 
-/// What the caller gives, as numbers of the field's type in the shape of the field.
-/// @throws py::value_error if the type does not have them
+/// Converts the caller's value to the field's type and shape.
+/// @throws py::value_error if the type cannot represent it
 py::array convert(const py::object& value, const FieldPlaces& field, std::size_t records, const std::string& name) {
   const py::dtype wanted = dtypeOf(field.type);
   if (isReady(value, wanted, field, records)) {
@@ -87,7 +87,7 @@ std::vector<std::byte*> elementsOf(const Records& records, const ListPlaces& lis
     const std::size_t count = bytes.size() / list.access.element_size;
     counts[i] = static_cast<std::int64_t>(count);
     for (std::size_t k = 0; k < count; ++k) {
-      // they are only read
+      // elements are only read
       places.push_back(const_cast<std::byte*>(bytes.data()) + k * list.access.element_size);
     }
   }
@@ -103,13 +103,13 @@ FieldArrays elementArrays(const Records& records, const ListPlaces& list, const 
 
 void forbidWriting(py::array& array) { array.attr("flags").attr("writeable") = false; }
 
-/// Python can change the shape of an array that it has, too.
+/// Whether an array still has the field's type and size: Python code can change its shape.
 bool isWhole(const py::array& array, const FieldPlaces& field, std::size_t records) {
   return array.dtype().is(dtypeOf(field.type)) && (array.flags() & py::array::c_style) != 0 &&
          static_cast<std::size_t>(array.size()) == records * field.offsets.size();
 }
 
-/// @return a field, a list or a part; what is no copy keeps the simulation
+/// @return a field, a list or a part. Lists and parts refer to the run, so they keep their owner alive.
 py::object partOf(const py::object& owner, const FieldArrays& arrays, const std::string& name) {
   py::object part = arrays.get(name);
   if (!py::isinstance<py::array>(part)) {
@@ -226,7 +226,7 @@ ListArrays::ListArrays(const Records& records, const ListPlaces& list, const std
 
 namespace {
 
-/// What a device's descriptor says of each of its fields; lists are left out.
+/// The descriptor of each field of a device, without lists.
 py::dict fieldsOf(const std::string& device) {
   const DeviceType* type = findDeviceType(device);
   if (type == nullptr) {

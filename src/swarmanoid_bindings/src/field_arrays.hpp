@@ -1,9 +1,9 @@
 /// The fields of a device of many robots in Python, as NumPy arrays: `readings["footbot_proximity"].value` has the
 /// shape (robots, 24). Arrays of readings are copies. Commands are written as a whole, `commands["footbot_wheels"].left
-/// = speeds`, or in place, `commands["footbot_wheels"].left[some] = 3.0`: a step has one array for each field, and what
-/// stands in it when the step is over is the command. Outside a step, arrays of commands cannot be written.
+/// = speeds`, or in place, `commands["footbot_wheels"].left[some] = 3.0`: a step has one array per field, and its
+/// content at the end of the step is the command. Outside a step, arrays of commands are read-only.
 ///
-/// Threads  under Python's lock.
+/// Threads  the GIL must be held.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -19,28 +19,28 @@
 
 namespace swarmanoid::bindings {
 
-/// Where records are, in the order of the robots.
+/// Addresses of records, in the order of the robots.
 using Places = std::shared_ptr<const std::vector<std::byte*>>;
 
-/// What may be done with arrays that Python gets.
+/// Permitted use of arrays that Python receives.
 enum class ArrayUse {
-  kCopy,  ///< of readings: whatever the caller likes
-  kLook,  ///< at commands
-  kWrite  ///< commands
+  kCopy,  ///< readings: private copies, writable
+  kLook,  ///< commands outside a step: read-only
+  kWrite  ///< commands in a step: written back at its end
 };
 
-/// The devices of robots, or elements of lists in them.
+/// Devices of robots, or elements of lists in them.
 struct Records {
   OfMoment moment;
   Places places;
-  std::map<const FieldPlaces*, pybind11::array> written;  ///< those that Python has got to write into, by field
+  std::map<const FieldPlaces*, pybind11::array> written;  ///< arrays given to Python for writing, by field
 
   std::size_t size() const { return places->size(); }
 };
 
-/// An array for a field of so many records, its numbers unset.
+/// An uninitialized array for a field of that many records.
 pybind11::array arrayFor(const FieldPlaces& field, std::size_t records);
-/// Copies a field of all records to an array, one behind the other, and back. @{
+/// Copies a field of all records to a contiguous array, and back. @{
 void gather(const std::vector<std::byte*>& records, const FieldPlaces& field, void* numbers);
 void scatter(const void* numbers, const FieldPlaces& field, const std::vector<std::byte*>& records);
 /// @}
@@ -58,12 +58,12 @@ class FieldArrays {
         use_(use) {}
 
   std::size_t size() const { return records_->size(); }
-  /// An array, a list or a part. @throws pybind11::attribute_error naming those that there are
+  /// An array, a list or a part. @throws pybind11::attribute_error that lists the known names
   pybind11::object get(const std::string& name) const;
-  /// @param value an array of the field's shape, or what NumPy broadcasts to it
-  /// @throws pybind11::type_error if it is not writable here, pybind11::value_error for a wrong shape or number
+  /// @param value an array of the field's shape, or a value that NumPy broadcasts to it
+  /// @throws pybind11::type_error if the field is not writable here, pybind11::value_error for a wrong shape or number
   void set(const std::string& name, const pybind11::object& value) const;
-  /// Copies to the devices what Python has written into arrays, which cannot be written any more then.
+  /// Copies arrays written by Python to the devices, and makes these arrays read-only.
   void writeBack() const;
   std::vector<std::string> names() const { return table_->namesBehind(prefix_); }
   std::string describe() const;
@@ -78,8 +78,8 @@ class FieldArrays {
   ArrayUse use_;
 };
 
-/// A list such as `blobs`: the elements of all robots, one robot's behind those of the one before. `counts` says how
-/// many each robot has, `robot` whose each is.
+/// A list such as `blobs`: the elements of all robots, concatenated in the order of robots. `counts` has the number of
+/// elements per robot, `robot` the robot of each element.
 class ListArrays {
  public:
   ListArrays(const Records& records, const ListPlaces& list, const std::string& device);

@@ -1,7 +1,7 @@
-/// What keeps objects of Python for a run, as Python's collector of garbage sees it: a controller that knows its
-/// simulation, and the simulation the controller, are given back once nothing else refers to them.
+/// Interface of parts of a run that hold Python objects, for Python's garbage collector. It frees cycles such as a
+/// controller that refers to its simulation, which in turn holds the controller.
 ///
-/// Threads  under Python's lock.
+/// Threads  the GIL must be held.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,9 +12,9 @@ class HoldsObjects {
  public:
   virtual ~HoldsObjects() = default;
 
-  /// Calls visit(object, argument) once for each reference. @return what the first such call returned that was not 0
+  /// Calls visit(object, argument) once per reference. @return the first result that is not 0, else 0
   virtual int visitObjects(visitproc visit, void* argument) const = 0;
-  /// Gives all of them up. Nothing is called afterwards.
+  /// Releases all references. No function of the part may be called afterwards.
   virtual void releaseObjects() = 0;
 
  protected:
@@ -23,7 +23,7 @@ class HoldsObjects {
   HoldsObjects& operator=(const HoldsObjects&) = default;
 };
 
-/// For visitObjects of so many objects.
+/// Implements visitObjects for the given objects.
 template <class... Objects>
 int visitEach(visitproc visit, void* argument, const Objects&... objects) {
   int result = 0;

@@ -23,7 +23,7 @@ CommandSource sourceOf(const std::string& text) {
   return *source;
 }
 
-/// Names the kind that a class is to be made for.
+/// Tag that selects the overload of `bind` for a kind of intervention.
 template <class What>
 struct Kind {};
 
@@ -208,7 +208,7 @@ void bind(py::module_& module, Kind<SetFault> /*kind*/) {
       .def_property_readonly("errors", [](const SetFault& what) { return py::tuple(py::cast(what.errors)); });
 }
 
-/// A kind without a class does not compile.
+/// Binds all kinds of interventions; a kind without an overload does not compile.
 template <std::size_t... Alternative>
 void bindAll(py::module_& module, std::index_sequence<Alternative...> /*all*/) {
   (bind(module, Kind<std::variant_alternative_t<Alternative, Intervention>>{}), ...);

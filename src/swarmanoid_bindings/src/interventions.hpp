@@ -1,5 +1,5 @@
-/// What may be done to a running world, as values in Python: a class for each kind of intervention
-/// (swarmanoid_space/intervention.hpp). Values do not change; equal ones are equal, and they can be pickled.
+/// Interventions in a running world as Python values: one class per kind of intervention
+/// (swarmanoid_space/intervention.hpp). Values are immutable, compare by content, and can be pickled.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,7 +8,7 @@
 
 namespace swarmanoid::bindings {
 
-/// @throws pybind11::type_error if it is none
+/// @throws pybind11::type_error if the value is no intervention
 Intervention toIntervention(const pybind11::handle& value);
 
 void bindInterventions(pybind11::module_& module);

@@ -1,4 +1,4 @@
-// The module swarmanoid._core, which the package `swarmanoid` is made of.
+// The module swarmanoid._core, the C++ part of the package `swarmanoid`.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -26,7 +26,7 @@ PYBIND11_MODULE(_core, module) {
   swarmanoid::bindings::bindSimulation(module);
   module.def("installed_experiments", &swarmanoid::installedExperiments, "Names of the installed experiments, sorted.");
   swarmanoid::bindings::waitForTicksAtExit();
-  // for embedding/python_host.cpp: a library of its own, so that a program without Python needs none of this
+  // for embedding/python_host.cpp, a separate library, so that programs without Python do not load this module
   static constexpr swarmanoid::ScriptHostFactory kFactory = &swarmanoid::bindings::makeScriptsOfProgram;
   module.attr("_script_host_factory") = pybind11::capsule(&kFactory);
 }

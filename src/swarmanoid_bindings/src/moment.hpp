@@ -1,5 +1,5 @@
-/// Until when something may be looked at that Python has got from a run: readings and commands stand in memory of the
-/// run, which a tick or a reset may give to another owner.
+/// Validity of objects that Python got from a run: readings and commands refer to memory of the run, which a tick or a
+/// reset may reuse.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace swarmanoid::bindings {
 
-/// That of a run; it goes on with each tick and reset.
+/// Current moment of a run; its number grows with each tick and reset.
 struct Moment {
   std::uint64_t number = 0;
-  bool is_ticking = false;  ///< and no code in Python is called just now: another thread makes ticks
+  bool is_ticking = false;  ///< another thread makes ticks, and calls no Python code at the moment
 };
 
-/// For as long as code in Python is called: what it may look at is not being changed, and what it has got is good until
-/// the call is over.
+/// Scope of a call of Python code from a tick: the run does not change meanwhile, and objects that the code gets are
+/// valid until the end of the call.
 class Pause {
  public:
   explicit Pause(Moment& moment) : moment_(moment), was_ticking_(moment.is_ticking) { moment_.is_ticking = false; }
@@ -31,12 +31,12 @@ class Pause {
   bool was_ticking_;
 };
 
-/// Whatever was made in a moment, and is good for this moment only.
+/// Validity check of an object that is valid only in the moment of its creation.
 class OfMoment {
  public:
   explicit OfMoment(std::shared_ptr<const Moment> moment) : moment_(std::move(moment)), number_(moment_->number) {}
 
-  /// @throws std::runtime_error unless it is still that moment
+  /// @throws std::runtime_error if that moment is over
   void require() const {
     if (moment_->is_ticking) {
       throw std::runtime_error("the simulation is making ticks on another thread: wait until they are made");

@@ -58,7 +58,7 @@ void PythonController::init(const Configuration& parameters) {
 }
 
 void PythonController::start(const Space& /*space*/, Banks& /*commands*/, Row /*row*/, Robot& /*robot*/) {
-  selection_ = nullptr;  // another robot may have come to the place of one that is no more
+  selection_ = nullptr;  // a new robot may reuse the row of a deleted one
 }
 
 void PythonController::step(const Space& space, Banks& /*commands*/, Span<const GroupMember> members) {

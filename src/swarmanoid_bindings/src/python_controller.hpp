@@ -1,5 +1,5 @@
-/// A controller in Python of all robots of a configuration: a function `step(robots)`, or an object with `step(robots)`
-/// and, if it likes, `init(parameters)`. One for each robot is in python_robots.hpp.
+/// A Python controller of all robots of a configuration: a function `step(robots)`, or an object with `step(robots)`
+/// and optionally `init(parameters)`. See python_robots.hpp for controllers of single robots.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -16,13 +16,13 @@ namespace swarmanoid::bindings {
 
 class PythonController final : public GroupController, public HoldsObjects {
  public:
-  /// @throws pybind11::type_error if it is neither
+  /// @throws pybind11::type_error if the controller is neither
   PythonController(pybind11::object controller, std::shared_ptr<Moment> moment, std::shared_ptr<Thrown> thrown);
 
-  // Each takes Python's lock.
+  // init and step acquire the GIL.
   void init(const Configuration& parameters) override;
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
-  /// What Python throws here stops the robots. As in `init`, it is kept for the caller of the ticks.
+  /// A Python exception stops the robots. As in `init`, it is kept for the caller of the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
 
   int visitObjects(visitproc visit, void* argument) const override {
@@ -38,7 +38,7 @@ class PythonController final : public GroupController, public HoldsObjects {
   pybind11::object step_;
   std::shared_ptr<Moment> moment_;
   std::shared_ptr<Thrown> thrown_;
-  std::shared_ptr<RobotSelection> selection_;  // those of the last step; null: they are to be found anew
+  std::shared_ptr<RobotSelection> selection_;  // robots of the last step; null: to be selected again
 };
 
 /// Whether the robots of a selection are the members, in their order.

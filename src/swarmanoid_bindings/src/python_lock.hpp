@@ -1,12 +1,12 @@
-/// Python's lock, for calls from the threads of a run.
+/// Python's global interpreter lock (GIL), for calls from the threads of a run.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
 namespace swarmanoid::bindings {
 
-/// This thread is one of Python's from its first call on: what Python keeps for a thread, such as NumPy's settings of
-/// errors, stays from one call to the next.
+/// Registers the calling thread with Python once, so that thread-local state of Python, such as NumPy's error settings,
+/// persists between calls.
 class PythonThread {
  public:
   PythonThread() { static thread_local const Known known; }
@@ -22,7 +22,7 @@ class PythonThread {
   };
 };
 
-/// Python's lock is held for as long as this lives.
+/// Holds the GIL during its lifetime.
 class PythonLock {
   PythonThread thread_;  // before the lock
   pybind11::gil_scoped_acquire lock_;

@@ -1,4 +1,4 @@
-/// Parameters of the experiment file for Python.
+/// Conversion of parameters of the experiment file to Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,7 +7,7 @@
 
 namespace swarmanoid::bindings {
 
-/// An element's text, or the dictionary of its children and attributes, with its text under "" if it has one besides.
+/// An element's text, or a dictionary of its children and attributes. If it has both, the text has the key "".
 inline pybind11::object toPython(const Configuration& element) {
   if (element.children().empty()) {
     return pybind11::str(element.text());
@@ -22,7 +22,7 @@ inline pybind11::object toPython(const Configuration& element) {
   return children;
 }
 
-/// Those of a plugin: a dictionary, empty if there are none.
+/// Parameters of a plugin: a dictionary, empty if there are none.
 inline pybind11::dict parametersOf(const Configuration& parameters) {
   const pybind11::object values = toPython(parameters);
   return pybind11::isinstance<pybind11::dict>(values) ? pybind11::dict(values) : pybind11::dict();

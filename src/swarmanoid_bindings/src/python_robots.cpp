@@ -76,7 +76,8 @@ void PythonRobots::start(const Space& space, Banks& /*commands*/, Row row, Robot
 void PythonRobots::regroup(const Space& space, Span<const GroupMember> members) {
   host_ = hostOf(space, members);
   stepped_.clear();
-  std::unordered_map<const Robot*, Instance> kept;  // robots that return begin anew
+  std::unordered_map<const Robot*, Instance>
+      kept;  // drops controllers of absent robots: a robot that returns gets a new one
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Instance& instance = instances_.at(members[i].robot);
     instance.robot.attr("_bind")(host_, i);

@@ -1,6 +1,6 @@
-/// Controllers in Python, one for each robot of a configuration: a class with `step(self, robot)` and, if it likes,
-/// `init(self, robot, parameters)`. They are stepped one after the other, by entity number, so that even those that
-/// share something make the same run each time.
+/// Python controllers, one per robot of a configuration: a class with `step(self, robot)` and optionally
+/// `init(self, robot, parameters)`. They are stepped one after the other, by entity number, so runs are reproducible
+/// even if controllers share data.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -26,9 +26,10 @@ class PythonRobots final : public GroupController, public HoldsObjects {
                std::shared_ptr<Thrown> thrown);
 
   void init(const Configuration& parameters) override;
-  /// Makes the robot's controller. Takes Python's lock, as step does. @throws std::runtime_error what Python throws
+  /// Creates the robot's controller. Acquires the GIL, as step does.
+  /// @throws std::runtime_error with the text of a Python exception
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
-  /// What Python throws stops that robot, and is kept for the caller of the ticks.
+  /// A Python exception stops that robot, and is kept for the caller of the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
 
   int visitObjects(visitproc visit, void* argument) const override;
@@ -50,8 +51,8 @@ class PythonRobots final : public GroupController, public HoldsObjects {
   std::shared_ptr<Thrown> thrown_;
   pybind11::dict parameters_;
   std::unordered_map<const Robot*, Instance> instances_;
-  std::shared_ptr<RobotHost> host_;  // of those stepped last; null: they are to be found anew
-  std::vector<Instance> stepped_;    // those stepped last, in their order
+  std::shared_ptr<RobotHost> host_;  // of the robots stepped last; null: to be created again
+  std::vector<Instance> stepped_;    // controllers stepped last, in their order
 };
 
 }  // namespace swarmanoid::bindings

@@ -57,7 +57,7 @@ PythonRule::PythonRule(py::object rule, std::shared_ptr<Moment> moment, std::sha
   }
 }
 
-/// What it throws is kept, and a std::runtime_error reports it to the caller of the rules.
+/// Runs an action with the GIL. Python exceptions are kept, and reported to the caller as std::runtime_error.
 template <class Action>
 void PythonRule::call(const char* hook, Action action) {
   const PythonLock lock;
@@ -95,7 +95,7 @@ void PythonRule::reset(const Space& space, InterventionQueue& queue) {
   success_.reset();
   callWith("reset", space, queue);
   judge();
-  is_finished_ = false;  // a run has at least one tick, as with rules in C++
+  is_finished_ = false;  // a run has at least one tick, as with C++ rules
 }
 
 void PythonRule::beforeTick(const Space& space, InterventionQueue& queue) { callWith("before_tick", space, queue); }

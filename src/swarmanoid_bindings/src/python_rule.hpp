@@ -1,10 +1,10 @@
-/// A rule in Python: an object with any of the functions that a rule in C++ has (swarmanoid_space/rule.hpp):
+/// A rule in Python: an object with any of the functions of a C++ rule (swarmanoid_space/rule.hpp):
 /// init(parameters), reset(world), before_tick(world), after_tick(world), finished(), success(), metrics().
 ///
-/// Phases   as of a rule. finished, success and metrics are called after reset and after_tick, and what they say stays
-///          until then; metrics is called once after init too, which says what metrics there are.
-/// Threads  takes Python's lock for each call.
-/// Errors   what Python throws ends the run, as RuleError with the thrown one as its cause; Ctrl-C ends the ticks only.
+/// Phases   as of a rule. finished, success and metrics are called after reset and after_tick, and their results hold
+///          until the next such call; metrics is also called once after init, to get the names of the metrics.
+/// Threads  acquires the GIL for each call.
+/// Errors   a Python exception ends the run as RuleError, with the exception as its cause; Ctrl-C ends only the ticks.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -22,7 +22,7 @@ namespace swarmanoid::bindings {
 
 class PythonRule final : public Rule, public HoldsObjects {
  public:
-  /// @throws pybind11::type_error if it has none of the functions
+  /// @throws pybind11::type_error if the object has none of the functions
   PythonRule(pybind11::object rule, std::shared_ptr<Moment> moment, std::shared_ptr<Thrown> thrown);
 
   void configure(const Configuration& parameters) override;

@@ -17,7 +17,7 @@ namespace py = pybind11;
 namespace swarmanoid::bindings {
 namespace {
 
-/// The last one to use it may be on any thread.
+/// Makes a part whose deleter acquires the GIL: any thread may release the last reference.
 template <class Part, class... Arguments>
 std::shared_ptr<Part> makeLocked(Arguments&&... arguments) {
   return std::shared_ptr<Part>(new Part(std::forward<Arguments>(arguments)...), [](Part* part) {
@@ -26,7 +26,7 @@ std::shared_ptr<Part> makeLocked(Arguments&&... arguments) {
   });
 }
 
-/// Does something for a part of an experiment. @throws ConfigError with what Python throws
+/// Runs an action for a part of an experiment. @throws ConfigError with the text of a Python exception
 template <class Action>
 auto forPart(const SourceLocation& location, const Thrown& thrown, Action action) {
   try {
@@ -47,7 +47,7 @@ PythonScripts::~PythonScripts() {
   try {
     forget();
   } catch (const std::exception&) {
-    // the run is over, and its results are there
+    // ignored: the run is over and its results are complete
   }
 }
 

@@ -1,4 +1,4 @@
-/// Texts of controllers and of files for Python: they may contain any bytes, but str is Unicode.
+/// Conversion of strings of controllers and files to Python: they may contain any bytes, but str is Unicode.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,7 +7,7 @@
 
 namespace swarmanoid::bindings {
 
-/// Bytes that are no UTF-8 become U+FFFD, as in the summary of `swarmanoid run`.
+/// Invalid UTF-8 becomes U+FFFD, as in the summary of `swarmanoid run`.
 inline pybind11::str pythonText(const std::string& text) {
   PyObject* const decoded = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace");
   if (decoded == nullptr) {

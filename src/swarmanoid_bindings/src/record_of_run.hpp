@@ -1,4 +1,4 @@
-/// What a run is made of, for Python: to compare runs of different days and computers, and to write an experiment down.
+/// Record of a run for Python: all inputs of the run, to compare runs and to archive experiments.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,9 +7,9 @@
 
 namespace swarmanoid::bindings {
 
-/// A dictionary: `text` of the experiment with its overrides, `files` that it names (bytes by the name that the text
-/// has for them), `libraries` (hashes by name), `math_library`, `file` (where the experiment was read).
-/// @throws ConfigError if a file cannot be read any more
+/// A dictionary: `text` of the experiment with its overrides, `files` that it names (bytes by their name in the text),
+/// `libraries` (hashes by name), `math_library`, `file` (path of the experiment file).
+/// @throws ConfigError if a file can no longer be read
 pybind11::dict recordOfRun(const Run& run);
 
 }  // namespace swarmanoid::bindings

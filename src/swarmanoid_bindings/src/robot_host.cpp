@@ -27,7 +27,7 @@ std::vector<RobotHost::Device> RobotHost::devicesOf(const Banks& banks, const Ro
     Device device{type, &fieldTableOf(*findDeviceType(type)), nullptr, {}};
     auto places = std::make_shared<std::vector<std::byte*>>();
     for (const Row row : robots.rows) {
-      // Space holds the banks const; readings are never written, and commands are those of the phase
+      // Space gives only const banks; readings are never written, commands only in the phase that may write them
       places->push_back(static_cast<std::byte*>(const_cast<void*>(banks.find(type, row))));
     }
     device.places = std::move(places);

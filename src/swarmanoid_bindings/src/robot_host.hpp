@@ -1,8 +1,8 @@
-/// What robots with a controller in Python each stand on: the fields of their devices in arrays with a row a robot,
-/// which are filled from the run before a step and copied back after it. So a robot in Python reads and writes memory
-/// of Python's own, in no time, and whatever it keeps does no harm.
+/// Device fields of robots with one Python controller each, in arrays with one row per robot. They are filled from the
+/// run before a step and copied back after it, so Python code accesses only Python's memory: access is fast, and
+/// references that it keeps stay valid.
 ///
-/// Threads  under Python's lock.
+/// Threads  the GIL must be held.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -21,22 +21,22 @@ namespace swarmanoid::bindings {
 
 class RobotHost {
  public:
-  /// @param sensors, actuators types of devices; all of the robots have them @pre space and robots outlive the last
-  /// step
+  /// @param sensors, actuators types of devices, which all of the robots have
+  /// @pre space and robots outlive the last step
   RobotHost(const Space& space, std::shared_ptr<const Moment> moment, std::shared_ptr<RobotSelection> robots,
             const std::vector<std::string>& sensors, const std::vector<std::string>& actuators);
 
   const RobotSelection& robots() const { return *robots_; }
-  /// A step begins: arrays are as the run is.
+  /// Begins a step: copies readings and commands of the run to the arrays.
   void begin();
-  /// It is over: the run's commands are as the arrays are.
+  /// Ends a step: copies the arrays of commands to the run.
   void end();
 
   // For _single.py.
-  /// A dictionary of the devices: of each one of its arrays by field, and of its lists, all by name.
+  /// A dictionary by device type of pairs: a dictionary of arrays by field name, and the names of the lists.
   pybind11::dict sensors() const { return dictionaryOf(sensors_); }
   pybind11::dict actuators() const { return dictionaryOf(actuators_); }
-  /// A list in a device of one robot, as it is in this step. @throws std::runtime_error between steps
+  /// A list in a device of one robot in this step. @throws std::runtime_error between steps
   pybind11::object elements(const std::string& device, const std::string& list, std::size_t robot) const;
   std::string name(std::size_t robot) const { return at(robot).name(); }
   std::string type(std::size_t robot) const { return at(robot).type(); }
@@ -71,7 +71,7 @@ class RobotHost {
 
   const Space* space_;
   std::shared_ptr<const Moment> moment_;
-  std::optional<OfMoment> step_;  // the one that is under way
+  std::optional<OfMoment> step_;  // set during a step
   std::shared_ptr<RobotSelection> robots_;
   std::vector<Device> sensors_;
   std::vector<Device> actuators_;

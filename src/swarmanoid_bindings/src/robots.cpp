@@ -14,7 +14,7 @@ namespace py = pybind11;
 namespace swarmanoid::bindings {
 namespace {
 
-/// A table with a line of `width` numbers a row, which fill(row, numbers) fills.
+/// A table with `width` numbers per row, which fill(row, numbers) writes.
 template <class Fill>
 py::array_t<double> tableOf(const std::vector<Row>& rows, py::ssize_t width, Fill fill) {
   py::array_t<double> table({static_cast<py::ssize_t>(rows.size()), width});
@@ -78,7 +78,7 @@ Places Devices::placesOf(const std::string& type) {
     found->reserve(rows_->size());
     for (const Row row : *rows_) {
       if (const void* device = banks_->find(type, row)) {
-        // Space gives readers const banks; FieldArrays says what may be written
+        // Space gives only const banks; FieldArrays prevents forbidden writes
         found->push_back(static_cast<std::byte*>(const_cast<void*>(device)));
       }
     }
@@ -106,7 +106,7 @@ std::shared_ptr<RobotSelection> selectionOf(std::vector<Row> rows) {
   return selection;
 }
 
-/// Those of the selection, which lives on with them.
+/// The rows of a selection; the pointer keeps the selection alive.
 std::shared_ptr<const std::vector<Row>> rowsIn(const std::shared_ptr<RobotSelection>& selection) {
   return {selection, &selection->rows};
 }

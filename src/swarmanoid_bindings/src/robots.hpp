@@ -1,8 +1,8 @@
 /// Robots of a run in Python, in the order of their entity numbers: names, poses, readings and commands as arrays with
-/// one row a robot.
+/// one row per robot.
 ///
 /// Units    SI, radians; frame W.
-/// Threads  under Python's lock. Good for the moment in which they were asked for (moment.hpp).
+/// Threads  the GIL must be held. Valid only in the moment of creation (moment.hpp).
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -20,28 +20,28 @@
 
 namespace swarmanoid::bindings {
 
-/// Robots, and where their devices are: found once, for as long as the same robots keep the same devices.
+/// Robots and the addresses of their devices. Reused while the same robots keep the same devices.
 struct RobotSelection {
   std::vector<Row> rows;
-  std::vector<Robot*> robots;              ///< only of those that are stepped
-  std::map<std::string, Places> readings;  ///< by type; of those that have the device
+  std::vector<Robot*> robots;              ///< only for stepped robots
+  std::map<std::string, Places> readings;  ///< by type, of the robots that have the device
   std::map<std::string, Places> commands;
 };
 
-/// The robots' devices of one direction, by type: robots.readings["footbot_proximity"].
+/// Sensors or actuators of the robots, by type: robots.readings["footbot_proximity"].
 class Devices {
  public:
-  /// @param banks outlive the moment
+  /// @param banks must outlive the moment
   Devices(OfMoment moment, const Banks& banks, std::shared_ptr<const std::vector<Row>> rows,
           std::map<std::string, Places>& places, ArrayUse use)
       : moment_(std::move(moment)), banks_(&banks), rows_(std::move(rows)), places_(&places), use_(use) {}
 
-  /// Of the robots that have such a device. @throws pybind11::key_error if none has
+  /// Fields of a device type, for the robots that have it. @throws pybind11::key_error if none has it
   const FieldArrays& at(const std::string& type);
   bool has(const std::string& type) const;
   std::vector<std::string> types() const;
   void writeBack() const;
-  /// The places, among the robots, of those that have it.
+  /// Indices of the robots that have such a device.
   pybind11::array_t<std::int64_t> owners(const std::string& type) const;
 
  private:
@@ -49,13 +49,13 @@ class Devices {
 
   OfMoment moment_;
   const Banks* banks_;
-  std::shared_ptr<const std::vector<Row>> rows_;  // with it, the selection
-  std::map<std::string, Places>* places_;         // in the selection
+  std::shared_ptr<const std::vector<Row>> rows_;  // shares ownership of the selection
+  std::map<std::string, Places>* places_;         // points into the selection
   ArrayUse use_;
   std::map<std::string, FieldArrays> known_;
 };
 
-/// Any robots of a run, to look at.
+/// Robots of a run, read-only.
 class Robots {
  public:
   Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows);
@@ -63,17 +63,17 @@ class Robots {
   std::size_t size() const { return rows().size(); }
   std::vector<std::string> names() const;
   std::vector<std::string> types() const;
-  /// The id of the controller configuration of each; "": it has none.
+  /// The id of the controller configuration of each robot, or "".
   std::vector<std::string> controllers() const;
-  /// Entity numbers, which rise and are never used again: (robots,).
+  /// Entity numbers, ascending and never reused: (robots,).
   pybind11::array_t<std::int64_t> numbers() const;
-  /// Some of them, to look at. @param places among these @throws pybind11::index_error
+  /// A read-only subset. @param places indices into these robots @throws pybind11::index_error
   Robots take(const std::vector<std::size_t>& places) const;
-  /// x, y, z, and the quaternion x, y, z, w: (robots, 7).
+  /// Position x, y, z and quaternion x, y, z, w: (robots, 7).
   pybind11::array_t<double> poses() const;
-  /// Linear, then angular velocity: (robots, 6).
+  /// Linear velocity, then angular velocity: (robots, 6).
   pybind11::array_t<double> twists() const;
-  /// One number each, NaN for robots without it: (robots,).
+  /// Values of a property, NaN for robots without it: (robots,).
   pybind11::array_t<double> property(const std::string& name) const;
   Devices& readings() { return readings_; }
   Devices& commands() { return commands_; }
@@ -97,12 +97,12 @@ class Robots {
   Devices commands_;
 };
 
-/// Those of a space, by entity number.
+/// The robots of a space, by entity number.
 Robots robotsOf(const Space& space, std::shared_ptr<const Moment> moment);
 /// All entities.
 Robots entitiesOf(const Space& space, std::shared_ptr<const Moment> moment);
 
-/// Those that a controller steps just now: their commands can be written, and they have random numbers and a log.
+/// The robots in the current step of a controller: their commands are writable, and they have random numbers and a log.
 class SteppedRobots : public Robots {
  public:
   SteppedRobots(const Space& space, std::shared_ptr<const Moment> moment, std::shared_ptr<RobotSelection> selection)
@@ -111,7 +111,7 @@ class SteppedRobots : public Robots {
   std::uint64_t tick() const { return space().tick; }
   double time() const { return toSeconds(space().time - kEpoch); }
   double dt() const { return toSeconds(space().clocktick); }
-  /// The next number of each robot's own stream (Robot::random), as a controller in C++ gets it.
+  /// The next number of each robot's own stream (Robot::random), the same as for a C++ controller.
   pybind11::array_t<double> uniform(double low, double high) const;
   pybind11::array_t<double> gaussian(double mean, double standard_deviation) const;
   void log(std::size_t robot, const std::string& text) const;

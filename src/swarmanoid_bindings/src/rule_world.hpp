@@ -1,7 +1,7 @@
-/// The world as a rule in Python sees it in one of its calls, and asks it for interventions.
+/// The world in one call of a Python rule: read access, and requests for interventions.
 ///
 /// Units    SI, radians; frame W.
-/// Threads  under Python's lock; good for that call only.
+/// Threads  the GIL must be held; valid during that call only.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -16,7 +16,7 @@ namespace py = pybind11;
 namespace swarmanoid::bindings {
 namespace {
 
-/// @throws ConfigError for the id of a configuration that the experiment does not have
+/// @throws ConfigError for an unknown id of a configuration
 const ControllerDescription& configurationOf(const Experiment& experiment, const std::string& id) {
   std::vector<std::string> known;
   for (const ControllerDescription& description : experiment.controllers) {
@@ -28,11 +28,11 @@ const ControllerDescription& configurationOf(const Experiment& experiment, const
   throw ConfigError({experiment.file, 0}, unknownName("the controller", id, known));
 }
 
-/// For as long as ticks are made.
+/// Scope in which ticks are made.
 class Ticking {
  public:
   Ticking(Moment& moment, bool& is_in_tick) : moment_(moment), is_in_tick_(is_in_tick) {
-    ++moment_.number;  // what was got before is not good for callbacks of these ticks either
+    ++moment_.number;  // objects from before are invalid in callbacks of these ticks, too
     moment_.is_ticking = true;
     is_in_tick_ = true;
   }
@@ -89,7 +89,7 @@ void Run::act(Action action) {
     try {
       simulation_->finish();
     } catch (...) {
-      // the first problem is the one that counts
+      // ignored: the first error is reported
     }
   }
   thrown_->raise();

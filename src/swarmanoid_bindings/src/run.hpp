@@ -1,6 +1,6 @@
-/// A simulation, with what Python needs besides: the moment, and what a controller in Python has thrown.
+/// A simulation with additional state for Python: the current moment, and exceptions of Python controllers.
 ///
-/// Threads  under Python's lock, which `tick` gives up while it makes ticks.
+/// Threads  the GIL must be held; `tick` and `sense` release it while the simulation works.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -20,38 +20,38 @@
 
 namespace swarmanoid::bindings {
 
-/// Parts in Python, by id.
+/// Python controllers and rules, by id.
 struct PythonParts {
-  std::map<std::string, pybind11::object> controllers;          ///< instead of those of the configurations
-  std::vector<std::pair<std::string, pybind11::object>> rules;  ///< beside those of the experiment file
+  std::map<std::string, pybind11::object> controllers;          ///< replace the controllers of configurations
+  std::vector<std::pair<std::string, pybind11::object>> rules;  ///< in addition to those of the experiment file
 };
 
 class Run {
  public:
-  /// @throws ConfigError, pybind11::error_already_set what a part in Python throws
+  /// @throws ConfigError, pybind11::error_already_set for exceptions of Python parts
   Run(Experiment experiment, RunContext context, const PythonParts& parts);
   ~Run() { ++moment_->number; }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  /// Makes up to `count` ticks. @return how many: less if the run is over
-  /// @throws pybind11::error_already_set what a controller or a rule threw, or Ctrl-C; std::exception what stops a run.
-  /// After all but what controllers throw, and Ctrl-C, the run is over
+  /// Makes up to `count` ticks. @return number of ticks made; less if the run ends
+  /// @throws pybind11::error_already_set for an exception of a controller or a rule, and for Ctrl-C; std::exception for
+  /// other errors. The run can continue only after exceptions of controllers and after Ctrl-C.
   std::uint64_t tick(std::uint64_t count);
-  /// Readings as controllers get them in the next tick (Simulation::sense).
+  /// Computes the readings that controllers get in the next tick (Simulation::sense).
   void sense();
   void reset(std::optional<std::uint64_t> seed);
-  /// @throws InterventionError why it is refused; then nothing has changed
+  /// @throws InterventionError with the reason if the intervention is rejected; the world is then unchanged
   void apply(const Intervention& intervention);
-  /// Completes what observers write, and destroys the controllers.
+  /// Completes the output of observers, and destroys the controllers.
   void close();
 
-  /// @throws std::runtime_error while ticks are made, by another thread or around a controller
+  /// @throws std::runtime_error while ticks are made, by another thread or by a caller of the current controller
   const Simulation& simulation() const;
   Robots robots() const;
   Robots entities() const;
 
-  /// Of its controllers and rules, as of HoldsObjects. @{
+  /// HoldsObjects for all controllers and rules of the run. @{
   int visitObjects(visitproc visit, void* argument) const;
   void releaseObjects();
   /// @}
@@ -61,7 +61,7 @@ class Run {
   void requireIdle() const;
   void requireOpen() const;
   std::uint64_t makeTicks(std::uint64_t count);
-  /// Does something to the run that may call code in Python. What that throws, and what stops the run, is thrown here.
+  /// Runs an action that may call Python code. Rethrows exceptions of that code, and errors that stop the run.
   template <class Action>
   void act(Action action);
 

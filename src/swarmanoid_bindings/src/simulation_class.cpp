@@ -28,7 +28,7 @@ namespace py = pybind11;
 namespace swarmanoid::bindings {
 namespace {
 
-/// What the constructor is given.
+/// Arguments of the constructor.
 struct Options {
   std::optional<std::string> experiment;
   std::optional<std::string> text;
@@ -38,7 +38,7 @@ struct Options {
   std::map<std::string, py::object> overrides;
   PythonParts parts;
   std::optional<std::string> out;
-  OutFolder::Rules rules;  // of that folder
+  OutFolder::Rules rules;  // of the folder `out`
 };
 
 std::vector<Override> overridesOf(const Options& options) {
@@ -49,7 +49,7 @@ std::vector<Override> overridesOf(const Options& options) {
   return overrides;
 }
 
-/// Without a folder of the run nothing is written: what would write a file is left out.
+/// Removes observers that would write files: without a folder a run writes nothing.
 void leaveOutWriters(Experiment& experiment) {
   auto& observers = experiment.visualisations;
   const auto writes = [](const VisualisationDescription& observer) {
@@ -62,7 +62,7 @@ void leaveOutWriters(Experiment& experiment) {
   observers.erase(std::remove_if(observers.begin(), observers.end(), writes), observers.end());
 }
 
-/// @throws ConfigError if it is out of bounds
+/// @throws ConfigError if the value is out of range
 std::int64_t argument(const char* name, std::int64_t value, Range range) {
   return parseInteger(std::to_string(value), name, {}, range);
 }
@@ -93,7 +93,7 @@ Experiment read(const Options& options) {
   return experiment;
 }
 
-/// In the order in which they stand there.
+/// Rules in the order of the dictionary.
 std::vector<std::pair<std::string, py::object>> rulesIn(const py::dict& rules) {
   std::vector<std::pair<std::string, py::object>> result;
   for (const auto& [id, rule] : rules) {
@@ -140,7 +140,7 @@ py::list failuresOf(const Run& run) {
   return failures;
 }
 
-/// Who asked, and for what.
+/// Pairs of requester and intervention.
 py::list interventionsOf(const Run& run) {
   py::list interventions;
   for (const TakenIntervention& taken : run.simulation().space().interventions) {
@@ -203,14 +203,14 @@ void bindState(py::class_<Run>& simulation) {
       .def_property_readonly("record", &recordOfRun, "What a run is made of, as a dictionary.");
 }
 
-/// null: it has not been made
+/// @return null if the object was not constructed
 Run* madeRun(PyObject* self) {
   auto* const instance = reinterpret_cast<py::detail::instance*>(self);
   const auto holder = instance->get_value_and_holder(py::detail::get_type_info(typeid(Run), true));
   return holder.holder_constructed() ? holder.value_ptr<Run>() : nullptr;
 }
 
-/// Python's collector of garbage asks what a simulation keeps.
+/// Enables Python's garbage collector to find the objects that a simulation holds.
 void letBeCollected(PyHeapTypeObject* heap_type) {
   PyTypeObject& type = heap_type->ht_type;
   type.tp_flags |= Py_TPFLAGS_HAVE_GC;

@@ -22,7 +22,7 @@ bool Thrown::keep(py::error_already_set&& thrown, const std::string& of_rule) {
     }
     return true;
   }
-  const bool is_failure = thrown.matches(PyExc_Exception);  // which Ctrl-C and exits are not
+  const bool is_failure = thrown.matches(PyExc_Exception);  // false for Ctrl-C and SystemExit
   if (!error) {
     error.emplace(std::move(thrown));
     rule_text = is_failure ? of_rule : "";
@@ -39,7 +39,7 @@ void Thrown::raise() {
   const std::string text = std::move(rule_text);
   rule_text.clear();
   if (text.empty()) {
-    throw kept;  // NOLINT(cert-err60-cpp): as pybind11 has it
+    throw kept;  // NOLINT(cert-err60-cpp): pybind11's own exception
   }
   py::raise_from(kept, ruleError(), text.c_str());
   throw py::error_already_set();

@@ -1,4 +1,4 @@
-/// What code in Python has thrown while the simulation called it, kept until Python has the word again.
+/// Exceptions of Python code that the simulation called, kept until control returns to Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -11,28 +11,28 @@ namespace swarmanoid::bindings {
 
 struct Thrown {
   enum class Keeps {
-    kAll,            ///< the caller of the ticks in Python gets it
-    kInterruptions,  ///< Ctrl-C, and what ends the run: all else is a failure of the part that threw it, as in C++
-    kNothing         ///< no code in Python makes the ticks: Ctrl-C is not Python's either
+    kAll,            ///< all exceptions, for the Python caller of the ticks
+    kInterruptions,  ///< Ctrl-C and exceptions of rules; others are failures of their controller, as in C++
+    kNothing         ///< no Python code makes the ticks, so Ctrl-C is not handled by Python
   };
 
   Keeps keeps = Keeps::kAll;
-  std::shared_ptr<Thrown> interrupted;  ///< of kInterruptions: who keeps them
+  std::shared_ptr<Thrown> interrupted;  ///< for kInterruptions: stores the kept exceptions
   std::optional<pybind11::error_already_set> error;
-  std::string rule_text;  ///< of the RuleError that it becomes the cause of; "": no rule has thrown it
+  std::string rule_text;  ///< message of the RuleError that has `error` as its cause; "": not from a rule
 
-  /// Keeps the first one. @return whether it is a failure of who has thrown it
+  /// Keeps the first exception. @return whether it is a failure of the part that threw it
   bool keep(pybind11::error_already_set&& thrown, const std::string& of_rule = "");
 
-  /// Whether Ctrl-C has been thrown, which is for the caller of the ticks.
+  /// Whether the exception is Ctrl-C, which the caller of the ticks gets.
   bool isInterruption(const pybind11::error_already_set& thrown) const {
     return keeps != Keeps::kNothing && thrown.matches(PyExc_KeyboardInterrupt);
   }
 
-  /// No more code in Python is called in this tick, which is the last one until the caller has seen what was thrown.
+  /// Whether an exception is pending: then no more Python code is called, and ticks stop until the caller gets it.
   bool isOver() const { return error.has_value() || (interrupted != nullptr && interrupted->isOver()); }
 
-  /// Nothing is kept any more. @pre Python's lock is held @throws what was kept, if anything was
+  /// Clears the kept exception and throws it, if there is one. @pre the GIL is held
   void raise();
 };
 

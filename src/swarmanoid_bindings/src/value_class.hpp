@@ -1,4 +1,5 @@
-/// Classes of values for Python: what they are made of are properties, and their text is what makes them again.
+/// Value classes for Python: constructor arguments are properties, and repr gives an expression that recreates the
+/// value.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -10,8 +11,8 @@
 
 namespace swarmanoid::bindings {
 
-/// A class whose constructor takes the named properties by place, in that order.
-/// Its objects are compared and hashed by these, and printed as `Move(entity='fb_1', position=(1.0, 2.0, 0.0))`.
+/// A class whose constructor takes the named properties as positional arguments, in that order.
+/// Objects are compared and hashed by them, and printed as `Move(entity='fb_1', position=(1.0, 2.0, 0.0))`.
 template <class Value>
 pybind11::class_<Value> valueClass(pybind11::module_& module, const char* name, const char* text,
                                    const std::vector<std::string>& properties) {

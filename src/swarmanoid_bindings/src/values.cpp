@@ -12,12 +12,12 @@ namespace {
 
 bool isText(const py::handle& value) { return py::isinstance<py::str>(value); }
 
-/// NumPy's truth values are no bool of Python's.
+/// Whether the value is a bool of Python or NumPy, which are different types.
 bool isTruth(const py::handle& value) {
   return py::isinstance<py::bool_>(value) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
 }
 
-/// A text is a sequence too, an array is none by name.
+/// Whether the value is a sequence other than a string. Arrays count, although they are no collections.abc.Sequence.
 bool hasItems(const py::handle& value) { return !isText(value) && py::hasattr(value, "__getitem__"); }
 
 [[noreturn]] void refuse(const std::string& what, const py::handle& found, const std::string& allowed) {

@@ -11,7 +11,7 @@ namespace py = pybind11;
 namespace swarmanoid::bindings {
 namespace {
 
-constexpr std::chrono::seconds kLongestTick{10};  ///< for which Python waits at its end
+constexpr std::chrono::seconds kLongestTick{10};  ///< maximum wait at the end of Python
 
 struct Ticks {
   std::mutex mutex;
@@ -21,13 +21,13 @@ struct Ticks {
   std::thread::id ending;  ///< the thread that ends Python, which may still tick
 };
 
-/// Never destroyed: threads may wait in it while the process ends.
+/// Never destroyed: threads may wait on its members while the process ends.
 Ticks& ticks() {
   static auto* const kTicks = new Ticks;
   return *kTicks;
 }
 
-/// Of this thread: a controller in Python may tick another simulation.
+/// Nesting depth of this thread: a Python controller may tick another simulation.
 thread_local int depth = 0;
 
 void endTicks() {
@@ -43,13 +43,13 @@ void endTicks() {
 WithoutLock::WithoutLock() {
   unlocked_.emplace();
   std::unique_lock<std::mutex> lock(ticks().mutex);
-  ticks().changed.wait(lock, [] { return depth > 0 || !mustEnd(); });  // for ever, when Python ends
+  ticks().changed.wait(lock, [] { return depth > 0 || !mustEnd(); });  // without end while Python ends
   ++ticks().under_way;
   ++depth;
 }
 
 WithoutLock::~WithoutLock() {
-  unlocked_.reset();  // Python waits for this thread, so it has the lock to give
+  unlocked_.reset();  // reacquires the GIL before under_way falls: endTicks waits for this thread meanwhile
   const std::lock_guard<std::mutex> lock(ticks().mutex);
   --depth;
   --ticks().under_way;

@@ -1,9 +1,9 @@
-/// Ticks without Python's lock, also while Python ends.
+/// Ticks without the GIL, also while Python ends.
 ///
-/// A daemon thread that ticks when the main thread ends cannot have the lock again: Python ends such a thread by
-/// unwinding its stack, through code of a run, which aborts the process. So the thread that ends Python waits for ticks
-/// under way, and other threads that come later wait for the end of the process, as those of newer versions of Python
-/// do.
+/// A daemon thread that ticks when the main thread ends cannot reacquire the GIL: Python terminates such a thread by
+/// unwinding its stack through code of a run, which aborts the process. So the thread that ends Python waits for
+/// running ticks, and other threads that begin ticks later block until the process ends, as in newer versions of
+/// Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,7 +12,7 @@
 
 namespace swarmanoid::bindings {
 
-/// Other threads have Python's lock for as long as this lives. @pre this thread has it
+/// Releases the GIL during its lifetime. @pre this thread holds it
 class WithoutLock {
  public:
   WithoutLock();
@@ -20,14 +20,14 @@ class WithoutLock {
   WithoutLock(const WithoutLock&) = delete;
   WithoutLock& operator=(const WithoutLock&) = delete;
 
-  /// Whether another thread waits for this one, so that Python can end. Any thread.
+  /// Whether another thread ends Python and waits for this one. Callable from any thread.
   static bool mustEnd();
 
  private:
   std::optional<pybind11::gil_scoped_release> unlocked_;
 };
 
-/// Has Python wait for ticks under way before it ends, at most 10 s.
+/// Registers an exit handler that waits up to 10 s for running ticks.
 void waitForTicksAtExit();
 
 }  // namespace swarmanoid::bindings

@@ -12,8 +12,8 @@
 Traceback (most recent call last):
 swarmanoid.InterventionError: move is refused: position: found '90, 3, 0', allowed: in the arena, from 0, 0, 0 to 12.65, 12.65, 1
 
-docs/tutorial/swarm_in_python.md leads through it, docs/how-to/simulate_in_python.md shows controllers, interventions and rules,
-docs/how-to/analyse_trajectories.md what `load` makes of recorded runs. Simulations of different threads run at the same time."""
+docs/tutorial/swarm_in_python.md is an introduction, docs/how-to/simulate_in_python.md shows controllers, interventions and
+rules, docs/how-to/analyse_trajectories.md shows how to `load` recorded runs. Simulations in different threads run in parallel."""
 
 from ._core import (Answer, Delete, Devices, Disc, ErrorModel, ExperimentError, FieldArrays, HandOver, InterventionError,
                     ListArrays, Move, Paint, Robots, RuleError, SetCommandSource, SetEngineParameters, SetFault, SetProperty, Simulation,
@@ -29,5 +29,5 @@ __all__ = ["Answer", "Delete", "Devices", "Disc", "ErrorModel", "ExperimentError
 
 for _name in __all__:
     if isinstance(globals()[_name], type):
-        globals()[_name].__module__ = __name__   # where users find it, and pickle too
+        globals()[_name].__module__ = __name__   # the public module, for users and pickle
 del _name

@@ -1,4 +1,4 @@
-"""The files in Python that an experiment names for its controllers and rules (source="python")."""
+"""Loads the Python files that an experiment names for its controllers and rules (source="python")."""
 
 import importlib
 import itertools
@@ -12,23 +12,23 @@ import types
 import weakref
 
 _numbers = itertools.count(1)
-_loading = threading.RLock()   # what is found by `import` is the whole process's
+_loading = threading.RLock()   # sys.path and sys.modules are shared by the process
 _libraries = {os.path.realpath(folder) for folder in (os.path.dirname(__file__), *map(sysconfig.get_path, ("stdlib", "purelib", "platlib")),
                                                       *site.getsitepackages(), site.getusersitepackages())}
-_known = weakref.WeakSet()     # scripts that are in use
+_known = weakref.WeakSet()     # scripts in use
 
 
 class Script:
-    """A file, executed once: `module` is what is in it. It may import, at its top, what is beside it: that is its own, too, so
-    that runs in one process share nothing by their files. No byte code is kept, for a file may change within a second."""
+    """A file that is executed once, as `module`. At its top it may import modules from its folder; each script has its own copies
+    of them, so that runs in one process share no state. No byte code is written, since a file may change within a second."""
 
     def __init__(self, path):
-        self.module = types.ModuleType(f"swarmanoid_script_{next(_numbers)}")   # a name that no code imports
+        self.module = types.ModuleType(f"swarmanoid_script_{next(_numbers)}")   # a unique name that no code imports
         self.module.__file__ = path
         self._beside = []
         with open(path, "rb") as file:
             code = compile(file.read(), path, "exec", dont_inherit=True)
-        sys.modules[self.module.__name__] = self.module                         # dataclasses and pickle look there
+        sys.modules[self.module.__name__] = self.module                         # dataclasses and pickle search sys.modules
         try:
             with _loading:
                 self._execute(code, os.path.dirname(path))
@@ -39,7 +39,7 @@ class Script:
 
     def _execute(self, code, folder):
         names = modules_in(folder)
-        others = take_modules(names)   # of other code
+        others = take_modules(names)   # modules of these names that other code imported
         keeps_byte_code, sys.dont_write_bytecode = sys.dont_write_bytecode, True
         sys.path.insert(0, folder)
         importlib.invalidate_caches()
@@ -52,25 +52,25 @@ class Script:
             sys.modules.update(others)
 
     def names(self):
-        """What may be a part of an experiment."""
+        """Names of the file's objects that may be parts of an experiment."""
         return [name for name, value in vars(self.module).items()
                 if not name.startswith("_") and not isinstance(value, types.ModuleType)]
 
     def forget(self):
-        """It is not used any more. What it holds, such as open files, is given back at once."""
+        """Ends the use of the script, and releases its objects, such as open files, at once."""
         sys.modules.pop(self.module.__name__, None)
         for module in (self.module, *self._beside):
             vars(module).clear()
 
 
 def files_read():
-    """The files of all scripts that are in use, and of what these have imported from beside them."""
+    """Paths of all scripts in use, and of the modules that they imported from their folders."""
     modules = [module for script in list(_known) for module in (script.module, *script._beside)]
     return sorted({path for module in modules if (path := getattr(module, "__file__", None))})
 
 
 def take_modules(names):
-    """Modules of such names, with what is in them, that were imported, and are so no longer."""
+    """Removes modules of these names, and their submodules, from sys.modules. @return the removed modules by name"""
     found = {name: module for name, module in list(sys.modules.items()) if name.partition(".")[0] in names}
     for name in found:
         del sys.modules[name]
@@ -78,7 +78,7 @@ def take_modules(names):
 
 
 def modules_in(folder):
-    """The names of modules and packages that are beside a file. Ours is never one of them."""
+    """Names of the modules and packages in a folder, without this package."""
     with os.scandir(folder) as entries:
         names = {os.path.splitext(entry.name)[0] for entry in entries
                  if entry.name.endswith(".py") or os.path.exists(os.path.join(entry.path, "__init__.py"))}
@@ -86,13 +86,13 @@ def modules_in(folder):
 
 
 def is_in_library(filename):
-    """Whether a file is one of this package, of Python or of an installed package, where users look for no mistake of theirs."""
-    is_file = not filename.startswith("<")    # as NumPy has them, too
+    """Whether a file belongs to this package, to Python or to an installed package, and not to the user."""
+    is_file = not filename.startswith("<")    # names such as "<string>" and those of NumPy are no files
     return not is_file or any(os.path.realpath(filename).startswith(folder + os.sep) for folder in _libraries)
 
 
 def describe(error, trace):
-    """An exception in one line, with the place of the mistake: where users' own code was, if a library has thrown it."""
+    """An exception in one line with its location: the innermost frame in the user's own code, if there is one."""
     try:
         text = str(error)
     except Exception:

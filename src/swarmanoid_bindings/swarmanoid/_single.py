@@ -1,8 +1,8 @@
-"""Robots for controllers that are a class, one object a robot.
+"""Robots for controllers that are a class, with one object per robot.
 
-A device is an object with an attribute for each field. Numbers are read and written in memory of the host (robot_host.hpp),
-which copies them from the run before each step and back after it: so an attribute costs a fraction of a microsecond. A class
-is made for each type of device, once."""
+A device is an object with an attribute per field. Attributes access memory of the host (robot_host.hpp), which copies fields
+from the run before each step and back after it, so an access costs a fraction of a microsecond. Each type of device gets a
+class of its own, made once."""
 
 import difflib
 
@@ -15,7 +15,7 @@ def unknown(what, name, known):
 
 
 class Part:
-    """A device of one robot, or a part of it: its fields are attributes."""
+    """A device of one robot, or a part of it, with its fields as attributes."""
     __slots__ = ("_at", "_host")
 
     def __getattr__(self, name):
@@ -29,7 +29,7 @@ class Part:
 
 
 def number_field(slot, name, device, is_writable):
-    """A single number; `slot` holds it for all robots."""
+    """A property for a single number; `slot` holds the numbers of all robots."""
     def get(part):
         return getattr_slot(part)[part._at]
 
@@ -45,7 +45,7 @@ def number_field(slot, name, device, is_writable):
 
 
 def array_field(slot, name, device, is_writable):
-    """Several numbers, as an array that stays."""
+    """A property for several numbers: the same array in each step."""
     def get(part):
         return getattr_slot(part)
 
@@ -71,7 +71,7 @@ def list_field(full, device):
 
 
 def first_words(names):
-    """The parts of "ring.red" and "value" are ring, with red, and value, with nothing."""
+    """Groups names by their first part: "ring.red" and "value" give {"ring": ["red"], "value": [""]}."""
     words = {}
     for name in names:
         first, _, rest = name.partition(".")
@@ -80,7 +80,7 @@ def first_words(names):
 
 
 def part_class(device, prefix, fields, lists, is_writable):
-    """@param fields how many dimensions each has, by its name behind the prefix"""
+    """@param fields number of dimensions of each field's array, by name without the prefix"""
     words = first_words([*fields, *lists])
     slots = [f"_{word}" for word in words]
     base = type(f"{device}.{prefix}".rstrip("."), (Part,), {"__slots__": slots})
@@ -106,7 +106,7 @@ def part_class(device, prefix, fields, lists, is_writable):
 
 
 def bind(part, host, arrays, at, is_writable):
-    """The part is that of the robot `at` of the host from now on. @param arrays by name of the field"""
+    """Connects the part to the robot with index `at` of the host. @param arrays by name of the field"""
     kind = type(part)
     part._host = host
     part._at = at
@@ -139,10 +139,11 @@ class Devices(dict):
 
 
 class Robot:
-    """One robot, for its controller: good for as long as the controller is its own.
+    """One robot, for its controller: valid as long as it has this controller.
 
-    readings and commands are its devices by type, robot.readings["footbot_proximity"].value: the fields as in the reference of
-    devices, SI and radians. Keep a device in `init`; it stays the same, and what it says is of the present step."""
+    readings and commands are its devices by type, robot.readings["footbot_proximity"].value, with the fields of the reference
+    of devices, in SI units and radians. A device stays the same object, so it can be stored in `init`; its readings are those of
+    the current step."""
 
     def __init__(self, host):
         self.readings = Devices()
@@ -180,15 +181,15 @@ class Robot:
         return self._host.uniform(self._at, low, high)
 
     def gaussian(self, mean=0.0, standard_deviation=1.0):
-        """The same, normally distributed."""
+        """The next number of the robot's own random stream, normally distributed."""
         return self._host.gaussian(self._at, mean, standard_deviation)
 
     def log(self, text):
-        """A line in the log."""
+        """Writes a line to the log."""
         self._host.log(self._at, text)
 
     def debug(self, key, value):
-        """A value that people see."""
+        """Sets a named debug value, shown to users."""
         self._host.debug(self._at, key, value)
 
     def __repr__(self):

@@ -1,4 +1,4 @@
-"""Rosbags of the suite: which can be read, their messages, and the runs in them as arrays."""
+"""Reads rosbags of the suite: their messages, and their runs as arrays."""
 
 import functools
 import pathlib
@@ -13,16 +13,16 @@ from .recording import RecordedEvent, Recording, RecordingError
 
 STATES, EVENTS = "/space/world_state", "/space/events"
 ABOUT = ("/space/experiment", "/space/math_library", "/space/record", "/space/result")
-EPOCH_NS = 1_000_000_000  # stamps of ROS begin there
+EPOCH_NS = 1_000_000_000  # stamp of the start of a run in ROS
 NUMBER = re.compile(r"[-+]?(inf|nan|([0-9]+(\.[0-9]*)?|\.[0-9]+)(e[-+]?[0-9]+)?)")
 
 
 class BagError(RecordingError):
-    """A bag that cannot be read: its name, and why."""
+    """A bag that cannot be read; the message has its name and the reason."""
 
 
 def open_bag(file: Any) -> rosbag.Bag:
-    """To be used in a with statement. Raises BagError for a file that is not there, is no bag or not complete."""
+    """Opens a bag, for use in a with statement. Raises BagError if the file is missing, is no bag, or is incomplete."""
     try:
         if not pathlib.Path(file).exists():
             raise BagError(f"{file}: no such file")
@@ -37,30 +37,30 @@ def open_bag(file: Any) -> rosbag.Bag:
 
 
 def messages(file: Any, topics: Sequence[str]) -> Iterator[Tuple[str, Any]]:
-    """Topic and message, in the order of their times. Raises BagError, also for data that turn out to be damaged,
-    and ImportError if a library that reads them is missing."""
+    """Yields topics and messages, in the order of their times. Raises BagError, also later for damaged data, and ImportError
+    if a library that reads them is missing."""
     with open_bag(file) as bag:
         try:
             for topic, message, _ in bag.read_messages(topics=topics):
                 yield topic, message
         except OSError as problem:
             raise BagError(f"{file}: cannot be read: {problem.strerror}") from None
-        except ImportError:   # a library that decompresses is missing
+        except ImportError:   # a library for decompression is missing
             raise
         except MemoryError as problem:
             raise BagError(f"{file}: does not fit into memory") from problem
-        except Exception as problem:  # the reader passes on what decompression and deserialisation throw
+        except Exception as problem:  # decompression and deserialisation raise many types
             raise BagError(f"{file}: is damaged: {problem}") from None
 
 
 def kind_name(event: Any) -> Any:
-    """The name of the event's kind, as the bag's own definition of the message has it; of an unknown one the number."""
+    """The name of the event's kind, from the message definition in the bag; the number if it is unknown."""
     names = {value: name.lower() for name, value in vars(type(event)).items() if name.isupper()}
     return names.get(event.kind, event.kind)
 
 
 class _Columns:
-    """Which entity has which column."""
+    """Assigns columns to entities."""
 
     def __init__(self) -> None:
         self.known: Dict[Tuple[str, str], int] = {}
@@ -71,7 +71,7 @@ class _Columns:
 
 
 class _Rows:
-    """What states say, row by row."""
+    """Collects the content of state messages, row by row."""
 
     def __init__(self) -> None:
         self.runs: List[int] = []
@@ -102,7 +102,7 @@ class _Rows:
 
 
 def _starts(runs: Sequence[int], ticks: Sequence[int], stamps: Sequence[Any]) -> Dict[int, int]:
-    """Stamp of the start of each run, which is not at the bag's beginning if the bag begins later [ns]."""
+    """Stamp of the start of each run [ns], extrapolated if the bag begins later."""
     first: Dict[int, int] = {}
     for row, run in enumerate(runs):
         first.setdefault(run, row)
@@ -120,12 +120,12 @@ def _starts(runs: Sequence[int], ticks: Sequence[int], stamps: Sequence[Any]) ->
 
 
 def _since(start: int, stamp: Any) -> float:
-    """[s]"""
-    return (stamp.to_nsec() - start) / 1e9  # a division rounds once
+    """Time since the start [s]."""
+    return (stamp.to_nsec() - start) / 1e9  # a division rounds only once
 
 
 class _About:
-    """What the latched topics say of the run; bags that others made may lack all of it."""
+    """Content of the latched topics about the run; bags of other programs may lack all of them."""
 
     def __init__(self) -> None:
         self.last: Dict[str, Any] = {}
@@ -149,7 +149,7 @@ class _About:
 
 
 def _value(text: str) -> Any:
-    """Of a metric in a message, which is a text."""
+    """Converts the value of a metric, which is a string in messages."""
     if text in ("true", "false"):
         return text == "true"
     return float(text) if NUMBER.fullmatch(text) else text
@@ -159,7 +159,7 @@ def load_bag(file: Any) -> Recording:
     """@raise BagError"""
     columns, rows, about = _Columns(), _Rows(), _About()
     events: List[Tuple[int, Any]] = []
-    numbers: Dict[int, int] = {}  # the space's number of a run to ours: a bag may begin after a reset
+    numbers: Dict[int, int] = {}  # number of a run in the space -> number in the recording: a bag may begin after a reset
     for topic, message in messages(file, [STATES, EVENTS, *ABOUT]):
         if topic in ABOUT:
             about.add(topic, message)

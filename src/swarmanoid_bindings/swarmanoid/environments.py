@@ -1,7 +1,7 @@
-"""Swarms as environments for reinforcement learning: with the shape of Gymnasium's Env, and of PettingZoo's ParallelEnv.
+"""Swarms as environments for reinforcement learning, with the interfaces of Gymnasium's Env and PettingZoo's ParallelEnv.
 
-Neither library is needed: spaces are a Box of this module with the attributes of theirs. A step is one tick or several. What
-a policy sees is what a controller gets in the tick that is to come, and what it decides is done in that tick: a policy makes
+Neither library is needed: spaces are a Box of this module with the attributes of theirs. A step is one tick or several.
+Observations are the readings that a controller gets in the next tick, and actions are applied in that tick, so a policy makes
 the same run, bit for bit, as the same computation in a controller.
 
 >>> def reward(robots):
@@ -26,7 +26,7 @@ from ._core import Simulation, fields_of
 
 
 class Box:
-    """Arrays of a shape whose numbers keep their bounds."""
+    """A space of arrays of one shape, with bounds for each number."""
 
     def __init__(self, low, high, dtype=numpy.float32, seed=None):
         """@param low, high arrays of the same shape"""
@@ -38,12 +38,12 @@ class Box:
         self.seed(seed)
 
     def seed(self, seed=None):
-        """Samples begin anew."""
+        """Seeds the random numbers of samples."""
         self._random = numpy.random.default_rng(seed)
         return [seed]
 
     def sample(self):
-        """Numbers uniform within the bounds; normal about 0 or about the one bound where there are not two."""
+        """Random numbers: uniform between two bounds, half-normal from a single bound, normal about 0 without bounds."""
         bounded = numpy.isfinite(self.low) & numpy.isfinite(self.high)
         low = numpy.where(bounded, self.low, 0).astype(float)
         uniform = self._random.uniform(low, numpy.where(bounded, self.high, 1).astype(float))
@@ -72,12 +72,12 @@ class Box:
 
 
 class Fields:
-    """Fields of devices, one behind the other in a line of numbers a robot."""
+    """Fields of devices, concatenated to one row of numbers per robot."""
 
     def __init__(self, fields):
         """@param fields names such as "footbot_proximity.value", or a dictionary of these with (low, high)"""
         bounds = fields if isinstance(fields, dict) else dict.fromkeys(fields)
-        self.parts = []   # device, path in it, first and last place, shape in one robot
+        self.parts = []   # device, path in it, first and last index in the row, shape for one robot
         low, high = [], []
         for name, given in bounds.items():
             device, _, field = name.partition(".")
@@ -114,7 +114,7 @@ class Fields:
 
 
 def agree(reward, count):
-    """@return (count,), float64"""
+    """@return rewards of the shape (count,), float64"""
     rewards = numpy.asarray(reward, float)
     if rewards.shape not in ((), (count,)):
         raise ValueError(f"reward: found the shape {rewards.shape}, allowed: a number, or ({count},)")
@@ -122,20 +122,20 @@ def agree(reward, count):
 
 
 class Env:
-    """A swarm as one agent, which sees and moves all of its robots: the shape of gymnasium.Env.
+    """A swarm as one agent that observes and commands all of its robots: the interface of gymnasium.Env.
 
-    observation_space and action_space have the shape (robots, numbers): a line for each robot that runs the controller,
-    in the order of `names`. Lines of robots that are gone, or have stopped, are 0. The reward is the sum of all."""
+    observation_space and action_space have the shape (robots, numbers): a row per robot with the controller, in the order of
+    `names`. Rows of deleted and stopped robots are 0. The reward is the sum over all robots."""
 
     metadata = {"render_modes": []}
     render_mode = None
     spec = None
 
     def __init__(self, experiment=None, *, reward, observations, actions, controller=None, ticks_per_step=1, **options):
-        """@param reward a function of the robots that are left, in their order, after a step: a number, or one for each
+        """@param reward a function of the remaining robots, in their order, called after a step: a number, or one per robot
         @param observations, actions fields of sensors and actuators, ["footbot_proximity.value"]; a dictionary has
-        (low, high) for each, else bounds are those of the device
-        @param controller id of the configuration whose robots are meant; it need not be said if there is one only
+        (low, high) for each, otherwise the device's bounds apply
+        @param controller id of the configuration of the agents' robots; optional if there is only one
         @param options of Simulation"""
         self._reward = reward
         self._observed, self._commanded = Fields(observations), Fields(actions)
@@ -154,7 +154,7 @@ class Env:
 
     @staticmethod
     def _only_controller(experiment, options):
-        # without a folder: files would be there already when the run itself begins
+        # without a folder: otherwise files would exist already when the run itself begins
         known = sorted(set(Simulation(experiment, **{**options, "out": None}).robots.controllers) - {""})
         if len(known) != 1:
             raise ValueError(f"controller: found none, allowed: {', '.join(known)}")
@@ -171,7 +171,7 @@ class Env:
         self._stepped = self._numbers
 
     def _act(self, robots):
-        """The controller of the simulation: robots do what the last step says."""
+        """The controller of the simulation: applies the actions of the last step."""
         self._stepped = robots.numbers
         if self._actions is not None:
             places = numpy.searchsorted(self._numbers, self._stepped)
@@ -181,7 +181,7 @@ class Env:
             self._commanded.write(robots.commands, self._actions[places])
 
     def _look(self):
-        """@return robots that are left, their places among all, and the observations of all"""
+        """@return remaining robots, their indices among all robots, and the observations of all robots"""
         self.simulation.sense()
         robots = self.simulation.robots
         left = numpy.flatnonzero(numpy.isin(robots.numbers, self._stepped))
@@ -193,7 +193,7 @@ class Env:
         return present, places, observations
 
     def reset(self, *, seed=None, options=None):
-        """A run begins. Without a seed it is that of the run before and one more, so that runs differ.
+        """Starts a run. Without a seed it takes the seed of the last run plus 1, so that runs differ.
         @return observations (robots, numbers), and a dictionary"""
         self._actions = None
         self.simulation.reset(self.simulation.seed + 1 if seed is None else seed)
@@ -207,8 +207,8 @@ class Env:
         return {"ticks": self.simulation.ticks, **self.simulation.metrics}
 
     def advance(self, actions):
-        """Does what `step` does. @return observations (robots, numbers), rewards (robots,), whether each robot is left (robots,),
-        terminated, truncated, info"""
+        """Same as `step`, with results per robot. @return observations (robots, numbers), rewards (robots,), whether each robot
+        remains (robots,), terminated, truncated, info"""
         given = numpy.asarray(actions, numpy.float64)
         if given.shape != self.action_space.shape:
             raise ValueError(f"actions: found the shape {given.shape}, allowed: {self.action_space.shape}")
@@ -223,8 +223,8 @@ class Env:
         return observations, rewards, left, bool(terminated), bool(truncated), self._info()
 
     def step(self, action):
-        """@param action (robots, numbers) @return observations, reward, terminated (a rule has ended the run, or no robot is left),
-        truncated (its ticks are over), info: ticks and metrics"""
+        """@param action (robots, numbers) @return observations, reward, terminated (a rule has ended the run, or no robot
+        remains), truncated (the last tick of the run was made), info: ticks and metrics"""
         observations, rewards, _, terminated, truncated, info = self.advance(action)
         return observations, float(rewards.sum()), terminated, truncated, info
 
@@ -246,15 +246,15 @@ class Env:
 
 
 class ParallelEnv:
-    """A swarm of agents, one each robot: the shape of pettingzoo.ParallelEnv. Dictionaries go by the names of robots.
+    """A swarm with one agent per robot: the interface of pettingzoo.ParallelEnv. Keys of dictionaries are names of robots.
 
-    An agent that is gone or has stopped is terminated in that step, and no agent any more."""
+    An agent whose robot was deleted or has stopped is terminated in that step and then removed from `agents`."""
 
     metadata = {"name": "swarmanoid", "render_modes": []}
     render_mode = None
 
     def __init__(self, experiment=None, **options):
-        """@param options as those of Env"""
+        """@param options same as of Env"""
         self._env = Env(experiment, **options)
         self.possible_agents = list(self._env.names)
         self.agents = []
@@ -270,7 +270,7 @@ class ParallelEnv:
     unwrapped = property(lambda self: self)
 
     def observation_space(self, agent):
-        """(numbers,): the same object each time."""
+        """A space of the shape (numbers,); the same object each time."""
         return self._observation_spaces[agent]
 
     def action_space(self, agent):
@@ -283,7 +283,7 @@ class ParallelEnv:
         return dict(zip(self.agents, observations)), {agent: dict(info) for agent in self.agents}
 
     def step(self, actions):
-        """@param actions (numbers,) by agent, for each that is left
+        """@param actions (numbers,) by agent, for each remaining agent
         @return observations, rewards, terminations, truncations, infos, all by agent"""
         missing = [agent for agent in self.agents if agent not in actions]
         if missing or len(actions) != len(self.agents):

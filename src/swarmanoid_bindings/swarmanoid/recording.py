@@ -1,4 +1,4 @@
-"""A recorded run, whatever file it is in: arrays with a row a recorded tick and a column an entity."""
+"""A recorded run of any file format, as arrays with a row per recorded tick and a column per entity."""
 
 import dataclasses
 import pathlib
@@ -8,14 +8,14 @@ import numpy
 
 
 class RecordingError(ValueError):
-    """A file that cannot be read: its name, and why."""
+    """A file that cannot be read; the message has its name and the reason."""
 
 
 class RecordedEvent(NamedTuple):
     run: int          # number of resets in the recording, from 0
     tick: int
     time: float       # simulated time since the start of the run [s]
-    kind: Any         # name of the constant in Event.msg, in small letters; of one that the file does not name the number
+    kind: Any         # name of the constant in Event.msg, in lower case; the number if the file does not name it
     entity: str
     other: str
     text: str
@@ -23,18 +23,18 @@ class RecordedEvent(NamedTuple):
 
 @dataclasses.dataclass
 class Recording:
-    """Rows are recorded ticks of all runs, one behind the other; columns are entities. Units: SI; frame W, z up."""
+    """Rows are recorded ticks of all runs, one after the other; columns are entities. Units: SI; frame W, z up."""
 
     file: str
-    complete: bool                 # False: the writer was killed, or the disk was full; what is here is right
+    complete: bool                 # False: the writer was killed, or the disk was full; the data are valid up to there
     experiment: str
     experiment_text: str           # the experiment file, before overrides
     overrides: Tuple[str, ...]     # "path=value"
     seed: Optional[int]            # of the first run
     version: str                   # of the suite, with the commit
     math_library: str
-    state_hash: Optional[str]      # of the last state; None: the file does not have it
-    finished: Optional[bool]       # the run came to its end; None: the file does not say
+    state_hash: Optional[str]      # of the last state; None: not in the file
+    finished: Optional[bool]       # whether the run came to its end; None: not in the file
     result: Dict[str, Any]         # metrics at the end
 
     runs: numpy.ndarray            # (rows,): number of resets in the recording, from 0
@@ -42,18 +42,18 @@ class Recording:
     times: numpy.ndarray           # (rows,): simulated time since the start of the run [s]
     names: Tuple[str, ...]         # (columns,)
     types: Tuple[str, ...]         # (columns,)
-    poses: numpy.ndarray           # (rows, columns, 7): x, y, z, and the quaternion x, y, z, w; NaN: it is not there
-    present: numpy.ndarray         # (rows, columns): whether the entity is there
+    poses: numpy.ndarray           # (rows, columns, 7): x, y, z, and the quaternion x, y, z, w; NaN: entity absent
+    present: numpy.ndarray         # (rows, columns): whether the entity exists
     readings: Dict[str, "RecordedReadings"] = dataclasses.field(default_factory=dict)
     metrics: Dict[str, numpy.ndarray] = dataclasses.field(default_factory=dict)  # (rows,) each
 
-    # Of bags alone.
+    # Only from bags.
     stamps: Optional[numpy.ndarray] = None     # (rows,): of the messages [s]
     engines: Optional[numpy.ndarray] = None    # (rows, columns): id of the engine that moves it
-    gripped: Optional[numpy.ndarray] = None    # (rows, columns): name of what it grips
+    gripped: Optional[numpy.ndarray] = None    # (rows, columns): name of the gripped entity
     colors: Optional[numpy.ndarray] = None     # (rows, columns, 4): red, green, blue, alpha
     events: Optional[List[RecordedEvent]] = None
-    orders: Optional[List[numpy.ndarray]] = None  # (rows,): columns of those that are there, in the order of entity numbers
+    orders: Optional[List[numpy.ndarray]] = None  # (rows,): columns of the present entities, in the order of entity numbers
 
     def column(self, name: str) -> int:
         """@raise KeyError"""
@@ -62,15 +62,15 @@ class Recording:
         return self.names.index(name)
 
     def headings(self) -> numpy.ndarray:
-        """(rows, columns): about W's z axis, from -pi to pi [rad]."""
+        """Angles about W's z axis, from -pi to pi [rad]: (rows, columns)."""
         x, y, z, w = numpy.moveaxis(self.poses[..., 3:], -1, 0)
         return numpy.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
 
 
 class RecordedReadings:
-    """The readings of one type of sensor: each field is an attribute, an array (rows, robots, ...). Fields in fields are
-    attributes again. A list such as `blobs` has `counts` (rows, robots), and its fields have all elements of all robots and
-    rows, one behind the other."""
+    """The readings of one type of sensor: each field is an attribute, an array (rows, robots, ...). Nested fields are
+    attributes of their field. A list such as `blobs` has `counts` (rows, robots), and its fields have the elements of all
+    rows and robots, concatenated."""
 
     def __init__(self, fields: Dict[str, Any]) -> None:
         self.__dict__.update(fields)
@@ -80,15 +80,16 @@ class RecordedReadings:
 
 
 def load(path: Any) -> Recording:
-    """A rosbag of the suite, or a file of trajectories. @raise RecordingError, ImportError if a library that reads it is missing"""
+    """Reads a rosbag of the suite, or a trajectory file. @raise RecordingError, or ImportError if a library that reads it is
+    missing"""
     try:
         return _load(pathlib.Path(path))
     except (RecordingError, ImportError):
         raise
     except MemoryError as problem:
         raise RecordingError(f"{path}: does not fit into memory: {problem}") from problem
-    except Exception as problem:  # libraries raise errors of many kinds where a file is damaged
-        if isinstance(problem, OSError) and problem.errno:   # of the system
+    except Exception as problem:  # libraries raise many types of errors for damaged files
+        if isinstance(problem, OSError) and problem.errno:   # an error of the system
             text = f"cannot be read: {problem.strerror}"
         else:
             text = f"is damaged: {type(problem).__name__}: {problem}"

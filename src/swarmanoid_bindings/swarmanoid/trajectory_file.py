@@ -1,4 +1,4 @@
-"""Files of `swarmanoid run --trajectories`; docs/reference/trajectory_file.md has their layout."""
+"""Reads files of `swarmanoid run --trajectories`; docs/reference/trajectory_file.md has their layout."""
 
 import pathlib
 from typing import Any, Dict, Iterator, Tuple
@@ -10,7 +10,7 @@ from .recording import RecordedReadings, Recording, RecordingError
 
 FORMAT = "swarmanoid trajectories"
 VERSION = 1
-ATTRIBUTES = ("complete", "math_library", "seed", "version")                          # that a file must have
+ATTRIBUTES = ("complete", "math_library", "seed", "version")                          # required in each file
 ARRAYS = ("entities/name", "entities/type", "pose", "run", "tick", "time")
 
 
@@ -19,7 +19,7 @@ def _open(file: pathlib.Path) -> h5py.File:
         return h5py.File(file, "r")
     except OSError:
         pass
-    try:  # of a run that goes on, or has been killed: nothing has taken back the mark of its writer
+    try:  # the run is active or was killed, so the file is still marked as open for writing
         return h5py.File(file, "r", swmr=True)
     except OSError as problem:
         raise RecordingError(f"{file}: cannot be read: {problem}") from None
@@ -50,7 +50,7 @@ def _datasets(group: h5py.Group) -> Iterator[h5py.Dataset]:
 
 
 def _rows_of(group: h5py.Group) -> Iterator[int]:
-    """How many rows each array has."""
+    """Yields the number of rows of each array."""
     if _is_list(group):
         counts = group["counts"]
         yield len(counts)
@@ -66,7 +66,7 @@ def _rows_of(group: h5py.Group) -> Iterator[int]:
 
 
 def _whole_rows(file: h5py.File) -> int:
-    """Arrays of a file that was not completed may have rows that others lack."""
+    """Number of rows that all arrays have: in an incomplete file some arrays are longer than others."""
     lengths = [len(file[name]) for name in ("time", "tick", "run", "pose")]
     for group in ("readings", "metrics"):
         if group in file:
@@ -113,7 +113,7 @@ def _recording(file: pathlib.Path, opened: h5py.File) -> Recording:
     rows = _whole_rows(opened)
     poses = opened["pose"][:rows]
     names = _texts(opened["entities/name"][:poses.shape[1]])
-    poses = poses[:, :len(names)]  # of a file that was not completed
+    poses = poses[:, :len(names)]  # an incomplete file may have fewer names
     runs = opened["run"][:rows]
     return Recording(
         file=str(file), complete=bool(attributes["complete"]), experiment=_text(attributes.get("experiment", "")),

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Bags of other programs are refused by name, and texts among metrics stay texts."""
+"""Bags of other programs are rejected by name, and metrics that are strings stay strings."""
 
 import pathlib
 import subprocess
@@ -25,7 +25,7 @@ class BagFileTest(unittest.TestCase):
                        stdout=subprocess.DEVNULL, check=True)
 
     def rewrite(self, change):
-        """@param change makes a topic and a message of each of a run, or None @return the bag that has them"""
+        """@param change maps topic and message of the run's bag to new ones, or to None @return the bag with the results"""
         path = self.folder / "other.bag"
         with rosbag.Bag(str(self.folder / "run.bag")) as run, rosbag.Bag(str(path), "w") as other:
             for topic, message, stamp in run.read_messages():

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Controllers in Python: what they see, what they may do, and what becomes of their mistakes."""
+"""Python controllers: their readings and commands, and handling of their errors."""
 
 import signal
 import threading
@@ -10,7 +10,7 @@ import swarmanoid
 
 
 def wander(robots):
-    """Each by its own random numbers."""
+    """Drives each robot by its own random numbers."""
     wheels = robots.commands["footbot_wheels"]
     wheels.left = robots.uniform(-3.0, 5.0)
     wheels.right = robots.gaussian(2.0, 1.5)
@@ -31,7 +31,7 @@ class ControllerTest(unittest.TestCase):
         before = simulation.robots.poses
         simulation.tick(7)
         after = simulation.robots.poses
-        # those that touch no other robot: grippers stand out of the bodies, and push
+        # only robots without contact: grippers extend beyond the bodies, and push
         apart = numpy.linalg.norm(before[:, None, :2] - before[None, :, :2], axis=2) + numpy.eye(len(before))
         alone = apart.min(axis=1) > 0.3
         self.assertGreater(alone.sum(), 80)

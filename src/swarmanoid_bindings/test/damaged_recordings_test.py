@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Damaged recordings, at random and by hand: each is read, or refused with its name as a RecordingError and nothing else."""
+"""Damaged recordings, random and by hand: each is read, or rejected by a RecordingError with its name."""
 
 import errno
 import os
@@ -45,7 +45,7 @@ class DamagedRecordingsTest(unittest.TestCase):
         return bytes(changed)
 
     def refusal(self):
-        """@return the message; None: it is read"""
+        """@return the error message, or None if the file is read"""
         try:
             swarmanoid.load(self.damaged)
             return None
@@ -65,7 +65,7 @@ class DamagedRecordingsTest(unittest.TestCase):
             self.assertGreater(refused, CASES // 4)
 
     def assert_refused(self, message, change):
-        """@param change of the HDF5 file"""
+        """@param change function that damages the HDF5 file"""
         shutil.copy(self.folder / "run.h5", self.damaged)
         with h5py.File(self.damaged, "r+") as file:
             change(file)

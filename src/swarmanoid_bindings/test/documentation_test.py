@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What is said of the package is so: examples in its texts, a text for everything, types for everything."""
+"""Documentation of the package: examples in docstrings run, and all public names have docstrings and types."""
 
 import ast
 import doctest
@@ -13,11 +13,11 @@ import swarmanoid
 import swarmanoid.environments
 
 MODULES = ("swarmanoid", "swarmanoid.environments", "swarmanoid._single")
-HIDDEN = {"metadata", "render_mode", "spec"}   # that the libraries of learning ask for
+HIDDEN = {"metadata", "render_mode", "spec"}   # required by Gymnasium and PettingZoo
 
 
 def public_members(kind):
-    """Functions and properties that a class has of its own."""
+    """Functions and properties that the class itself defines."""
     for name, member in vars(kind).items():
         if not name.startswith("_") and (callable(member) or isinstance(member, (property, staticmethod))):
             yield name, member
@@ -32,7 +32,7 @@ def classes_of(name):
 
 
 def texts():
-    """Each text of the package that may hold examples, by what it is of."""
+    """Pairs of name and docstring for all public names of the package."""
     for name in MODULES:
         module = importlib.import_module(name)
         yield name, module.__doc__
@@ -43,7 +43,7 @@ def texts():
 
 
 def stub_of(name):
-    """Names by class in the file of types of a module, or in the module itself if it has its types there."""
+    """Names by class in the stub file of a module, or in the module itself if it has no stub."""
     folder = os.path.dirname(swarmanoid.__file__)
     file = os.path.join(folder, "__init__" if name == "swarmanoid" else name.rpartition(".")[2])
     with open(file + (".pyi" if os.path.exists(file + ".pyi") else ".py")) as opened:
@@ -55,7 +55,7 @@ def stub_of(name):
                                if isinstance(each, (ast.FunctionDef, ast.AnnAssign))}
         elif isinstance(node, ast.FunctionDef):
             stub[node.name] = set()
-        elif isinstance(node, ast.ImportFrom):   # "as" makes it a name of this module too
+        elif isinstance(node, ast.ImportFrom):   # re-exported names belong to this module, too
             stub.update(stub_of(f"swarmanoid.{node.module}") if node.level == 1 and node.module else {})
     return stub
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Swarms as environments: the shapes of Gymnasium and PettingZoo, and the bits of controllers."""
+"""Environments: the interfaces of Gymnasium and PettingZoo, and runs equal to those of controllers, bit for bit."""
 
 import os
 import tempfile
@@ -29,7 +29,7 @@ WRITES_A_TABLE = """<ahss-config>
 
 
 def policy(observations):
-    """Turns away from whatever is near: (robots, 2) for (robots, 24)."""
+    """Turns while an obstacle is near: (robots, 2) for (robots, 24)."""
     near = observations.max(axis=1) > 0
     return numpy.stack([numpy.where(near, -3.0, 4.0), numpy.where(near, 3.0, 4.0)], axis=1)
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Fields of devices as arrays: shapes, types, lists, and what may be written."""
+"""Fields of devices as arrays: shapes, types, lists, and write access."""
 
 import unittest
 
@@ -51,7 +51,7 @@ class FieldsTest(unittest.TestCase):
         numpy.testing.assert_array_equal(blobs.robot, numpy.repeat([0, 1, 2], blobs.counts))
         self.assertEqual((blobs.distance.shape, blobs.distance.dtype), ((len(blobs),), numpy.float32))
         self.assertEqual(blobs.color.red.dtype, numpy.uint8)
-        # nearest first, robot by robot, is no promise, but all are within the range and have a colour
+        # the order within a robot is unspecified, but all blobs have a distance and a colour
         self.assertTrue((blobs.distance > 0).all())
         lit = blobs.color.red.astype(int) + blobs.color.green + blobs.color.blue
         self.assertTrue((lit > 0).all())

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What may be done to a running world from Python, and what is refused in which words."""
+"""Interventions in a running world from Python, and the messages of rejected ones."""
 
 import math
 import pickle

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A lidar on a user's own robot, from its description to arrays: what an experiment asks for is what Python reads."""
+"""A lidar on a user's own robot, from its URDF to arrays: Python reads the scans that the experiment specifies."""
 
 import os
 import pathlib
@@ -62,7 +62,7 @@ EXPERIMENT = """<?xml version="1.0"?>
 
 
 def put_into(folder):
-    """Writes the robot's package where a workspace that was installed into that folder would have it."""
+    """Writes the robot's package as if a workspace were installed into that folder."""
     package = pathlib.Path(folder) / "share/surveyor"
     (package / "urdf").mkdir(parents=True)
     (package / "package.xml").write_text(PACKAGE)
@@ -73,7 +73,7 @@ def put_into(folder):
 FOLDER = tempfile.TemporaryDirectory(prefix="lidar_test_")
 put_into(FOLDER.name)
 os.environ["CMAKE_PREFIX_PATH"] = f"{FOLDER.name}:{os.environ['CMAKE_PREFIX_PATH']}"
-import swarmanoid  # noqa: E402  it looks for robots when it is imported
+import swarmanoid  # noqa: E402  the import searches for robots
 
 
 class LidarTest(unittest.TestCase):
@@ -87,7 +87,7 @@ class LidarTest(unittest.TestCase):
 
         simulation = swarmanoid.Simulation(text=EXPERIMENT, controllers={"c": drive})
         simulation.tick(9)
-        # simulated time begins at 1 s: the first scan is of the first tick, the others of 1.2 and 1.6 s
+        # simulated time begins at 1 s: the first scan is in the first tick, the others are at 1.2 and 1.6 s
         numpy.testing.assert_allclose(ages, [0, 0.1, 0, 0.1, 0.2, 0.3, 0, 0.1, 0.2], atol=1e-12)
         lidar = simulation.robots.readings["lidar"]
         beams = lidar.beams
@@ -96,7 +96,7 @@ class LidarTest(unittest.TestCase):
         self.assertEqual((beams.range.shape, beams.range.dtype), ((10,), numpy.float32))
         angles = numpy.radians([-60, -30, 0, 30, 60])
         numpy.testing.assert_allclose(beams.angle[:5], angles, atol=1e-6)
-        # after six ticks at 0.1 m/s, from 3 cm ahead of the middle to the wall's face, by a mount that is turned by 0.2 rad
+        # after six ticks at 0.1 m/s, from 3 cm ahead of the robot's origin to the wall's face; the mount is rotated by 0.2 rad
         exact = (3.9 - 1.06 - 0.03) / numpy.cos(angles + 0.2)
         for robot in (0, 1):
             numpy.testing.assert_allclose(beams.range[beams.robot == robot], numpy.where(exact < 4, exact, numpy.inf), atol=1e-5)

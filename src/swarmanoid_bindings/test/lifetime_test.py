@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How long objects are good for, which cannot be copied, and when memory is given back."""
+"""Validity of objects, objects that cannot be copied, and release of memory."""
 
 import copy
 import gc
@@ -210,7 +210,7 @@ time.sleep({seconds})
         self.end(ticks=10**9, in_python=True, work="swarmanoid.Simulation('phototaxis', seed=1).tick(20)")
 
     def test_the_last_lines_of_a_program_may_tick(self):
-        # it is registered before the module is, so it is called after ticks were waited for
+        # registered before the module's exit handler, so called after that handler has waited for ticks
         self.end(first="atexit.register(lambda: swarmanoid.Simulation('phototaxis', seed=1).tick(20))")
 
 

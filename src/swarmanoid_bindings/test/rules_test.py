@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Rules in Python: when they are called, what they may do, and what becomes of their mistakes."""
+"""Python rules: the order of their calls, their interventions, and handling of their errors."""
 
 import concurrent.futures
 import gc
@@ -12,7 +12,7 @@ from swarmanoid import Delete, Move, SetProperty
 
 
 class Diary:
-    """Notes when it is called."""
+    """Records its calls."""
 
     def __init__(self):
         self.calls = []
@@ -31,7 +31,7 @@ class Diary:
 
 
 class Shepherd:
-    """Puts a robot back to the middle once it is too far, as far as that is free; scores by the mean distance."""
+    """Moves a robot back to the middle once it is too far, if the place is free; scores by the mean distance."""
 
     def reset(self, world):
         self.returns = 0
@@ -172,7 +172,7 @@ class RulesTest(unittest.TestCase):
 
             def before_tick(self, world):
                 if world.ticks == 1:
-                    answers.append(world.try_to(Move("fb_1", (2.5, 2.0, 0))))   # fb_2 is there
+                    answers.append(world.try_to(Move("fb_1", (2.5, 2.0, 0))))   # occupied by fb_2
 
             def after_tick(self, world):
                 if world.ticks == 2:

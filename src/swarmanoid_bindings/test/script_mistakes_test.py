@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Controllers and rules in Python that an experiment file names: what becomes of mistakes in them."""
+"""Handling of errors in Python controllers and rules that an experiment file names."""
 
 import json
 import os
@@ -15,7 +15,7 @@ from script_world import SWARM, ScriptCase
 
 class ScriptMistakesTest(ScriptCase):
     def refusal(self, **options):
-        """@return why the experiment is refused, in Python as by the program"""
+        """@return the reason for rejecting the experiment, which is the same in Python and in the program"""
         experiment = self.experiment(**options)
         with self.assertRaises(swarmanoid.ExperimentError) as caught:
             swarmanoid.Simulation(experiment)
@@ -145,7 +145,7 @@ class ScriptMistakesTest(ScriptCase):
 
     def test_a_check_without_libraries_runs_no_code(self):
         self.write("swarm.py", "raise RuntimeError('run')")
-        # diffusion and dispersion are names of the suite's, too
+        # diffusion and dispersion are also names of the suite
         for controller, rule in (("together", "Count"), ("diffusion", "dispersion")):
             self.assertIn("swarm.py", self.call("validate", "--no-libraries", self.experiment(controller, rule)).stdout)
         self.assertIn("run", self.call("validate", self.experiment(), code=2).stderr)

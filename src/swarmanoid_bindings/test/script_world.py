@@ -1,4 +1,4 @@
-"""What the tests of scripts that an experiment names share: an experiment, its script, and running the program on them."""
+"""Shared parts of the tests of scripts that an experiment names: an experiment, its script, and calls of the program."""
 
 import csv
 import pathlib
@@ -117,7 +117,7 @@ count = Count()
 
 
 class ScriptCase(unittest.TestCase):
-    """Each test has a folder of its own, with these files."""
+    """Gives each test its own folder with these files."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -134,7 +134,7 @@ class ScriptCase(unittest.TestCase):
         return self.write("experiment.xml", EXPERIMENT.format(controller=controller, rule=rule).replace(*replaced))
 
     def call(self, *arguments, code=0):
-        """@return what a command of `swarmanoid` says"""
+        """@return the completed process of a command of `swarmanoid`"""
         done = subprocess.run(["swarmanoid", *arguments], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, code, done.stderr)
         return done

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Controllers and rules in Python that an experiment file names: the same runs in Python, in the program and in batches."""
+"""Python controllers and rules that an experiment file names give the same runs in Python, in the program and in batches."""
 
 import json
 import os
@@ -52,7 +52,7 @@ class ScriptsTest(ScriptCase):
         self.assertTrue((right == 4.25).all(), right)
 
     def test_numpy_gives_the_same_bits_wherever_arrays_lie_in_memory(self):
-        """On processors with AVX-512 it takes other versions of these functions for some places, unless these are hidden from it."""
+        """With AVX-512, NumPy uses other versions of these functions for some alignments, unless these features are disabled."""
         self.write("swarm.py", SWARM.replace("    def step(self, robots):\n", PLACES, 1))
         environment = {name: value for name, value in os.environ.items() if name != "NPY_DISABLE_CPU_FEATURES"}
         done = subprocess.run(["swarmanoid", "run", str(self.experiment("together")), "--quiet", "--ticks", "3"], env=environment,
@@ -75,7 +75,7 @@ class ScriptsTest(ScriptCase):
                 self.assertEqual(simulation.run(), once)
 
     def test_a_record_has_the_files_and_makes_the_run_again(self):
-        self.write("swarm.py", SWARM.replace("import beside\n", "").replace("beside.NEAR", "0.02"))  # what is imported is not kept
+        self.write("swarm.py", SWARM.replace("import beside\n", "").replace("beside.NEAR", "0.02"))  # records lack imports
         self.call("run", self.experiment(), "--record", "record")
         kept = [file.name for file in (self.folder / "record/files").iterdir()]
         self.assertEqual(len(kept), 1, kept)
@@ -99,7 +99,7 @@ class ScriptsTest(ScriptCase):
             (self.folder / folder).mkdir()
             self.write(f"{folder}/swarm.py", "import beside\nimport numpy\ncalls = 0\n" + drive)
             self.write(f"{folder}/beside.py", "NEAR = 0.02\n")
-            self.write(f"{folder}/queue.py", f"SPEED = {speed}\n")                  # a name of the library of Python
+            self.write(f"{folder}/queue.py", f"SPEED = {speed}\n")                  # also the name of a standard module
             (self.folder / folder / "experiment.xml").write_text(EXPERIMENT.format(controller="together", rule="Count"))
         import queue
         for folder, speed in (("a", 1), ("b", 4), ("a", 1)):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs in Python against the same runs by the program `swarmanoid`."""
+"""Runs in Python compared with the same runs by the program `swarmanoid`."""
 
 import concurrent.futures
 import gc
@@ -13,7 +13,7 @@ import unittest
 import numpy
 import swarmanoid
 
-MOST_KIB = 2048  # that memory may grow by, in all
+MOST_KIB = 2048  # maximum growth of memory in total
 
 WRITES_A_TABLE = """<ahss-config>
   <framework><clocktick>100</clocktick><maxclock>3</maxclock></framework>
@@ -82,7 +82,7 @@ class SimulationTest(unittest.TestCase):
         self.assertEqual(robots.names[:2], ["fb_1", "fb_2"])
         self.assertEqual(set(robots.types), {"footbot"})
         self.assertEqual(simulation.entities.poses.shape, (104, 7))  # and four walls
-        # who does not touch anything has moved by the velocity of a tick of 0.1 s
+        # robots without contact have moved by their velocity times the tick of 0.1 s
         moved = robots.poses[:, :3] - before[:, :3]
         free = numpy.abs(robots.twists[:, 5]) < 1e-12
         self.assertGreater(free.sum(), 50)

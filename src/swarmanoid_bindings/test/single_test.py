@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Controllers that are a class, one object a robot: against C++, against those of all robots at once, and their mistakes."""
+"""Controllers with one object per robot: compared with C++ and with controllers of all robots, and their errors."""
 
 import concurrent.futures
 import math
@@ -14,7 +14,7 @@ AHEAD = [(i, math.cos(angle), math.sin(angle)) for i, angle in enumerate(ANGLES)
 
 
 class Diffusion:
-    """As the controller `diffusion` in C++."""
+    """Same as the C++ controller `diffusion`."""
 
     def init(self, robot, parameters):
         self.speed = float(parameters["speed"])

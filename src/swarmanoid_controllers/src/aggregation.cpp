@@ -1,8 +1,8 @@
 // Aggregation without computation: Gauci, Chen, Li, Dodd and Gross, "Self-organized aggregation without computation",
-// International Journal of Robotics Research 33 (2014). The robot knows one bit, whether another robot is on the line
-// ahead of it, and drives in one of two ways: round on the spot if so, and else backwards on a circle, if the speeds of
-// the wheels are not set otherwise. It remembers nothing. All robots show the colour that they look for; with black,
-// which no camera sees, the bit is always 0.
+// International Journal of Robotics Research 33 (2014). The controller is memoryless. Its only input is one bit,
+// whether another robot is on the line ahead, and it has two movements: with the default wheel speeds it turns on the
+// spot if the bit is set, and drives backwards on a circle otherwise. All robots show the colour that they look for;
+// with black, which no camera detects, the bit is always 0.
 #include <cmath>
 
 #include "blob_search.hpp"
@@ -43,15 +43,15 @@ class Aggregation final : public Controller {
   }
 
  private:
-  /// Speeds of the wheels, in parts of the greatest.
+  /// Wheel speeds as parts of the maximum.
   struct Wheels {
     double left = 0.0;
     double right = 0.0;
   };
   static constexpr Wheels kTurn{1.0, -1.0};     // the paper's best controller
-  static constexpr Wheels kCircle{-0.7, -1.0};  // likewise: a circle of 0.4 m with a footbot's wheels
+  static constexpr Wheels kCircle{-0.7, -1.0};  // the paper's, too: a circle of 0.4 m with a footbot's wheels
   static constexpr Range kPart{-1.0, 1.0};
-  /// Half the width of the line, m. LEDs are 44 mm from each other: a line through a robot meets one of them.
+  /// Half the width of the line [m]. LEDs are 44 mm apart, so a line through a robot hits one of them.
   static constexpr double kHalfWidth = 0.025;
 
   bool seesRobotAhead() const {
@@ -69,8 +69,8 @@ class Aggregation final : public Controller {
   FootbotLeds* leds_ = nullptr;
   const FootbotCamera* camera_ = nullptr;
   double speed_ = 0.0;  // m/s, of the faster wheel
-  Wheels turn_;         // while it sees another one
-  Wheels circle_;       // while it sees nobody
+  Wheels turn_;         // while it sees another robot
+  Wheels circle_;       // while it sees no robot
   Color color_;
 };
 

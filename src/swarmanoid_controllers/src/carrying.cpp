@@ -1,5 +1,5 @@
-// Two or more footbots carry a robot between them: each grips it at its side by the turret. When all have gripped,
-// which they tell each other, they drive; when the robot that they carry says that it has arrived, they release it.
+// Two or more footbots carry a robot between them: each grips it at its side by the turret. They drive when all of them
+// report a grip by WiFi, and release the robot when it reports that it has arrived.
 #include <cmath>
 
 #include "carrying_words.hpp"
@@ -42,7 +42,7 @@ class Carrying final : public Controller {
     turret_->holdAngle(side_);
     since_ += toSeconds(dt);
     if ((state_ == State::kWaiting || state_ == State::kCarrying) && !gripper_state_->gripping) {
-      gripper_->open();  // a grip that was torn takes hold again only after it was opened
+      gripper_->open();  // a broken grip engages again only after the gripper was opened
       return enter(State::kGripping, colors::kYellow);
     }
     switch (state_) {
@@ -80,7 +80,7 @@ class Carrying final : public Controller {
     }
   }
 
-  /// Until nobody has been heard for a while who has no grip yet.
+  /// Waits until no message of a robot without a grip has arrived for a while.
   void wait() {
     constexpr double kQuiet = 0.3;  // s
     say(*wifi_, CarryingWord::kHolding);
@@ -102,7 +102,7 @@ class Carrying final : public Controller {
   }
 
   void release() {
-    constexpr double kSettling = 0.3;  // s, until all that is carried has come to rest
+    constexpr double kSettling = 0.3;  // s, until the carried robot has come to rest
     gripper_->closed = since_ < kSettling;
     if (!gripper_->closed && !gripper_state_->gripping) {
       wifi_->fallSilent();
@@ -121,7 +121,7 @@ class Carrying final : public Controller {
   const WifiReceived* received_ = nullptr;
   State state_ = State::kGripping;
   double since_ = 0.0;  // s, in this state
-  double side_ = 0.0;   // rad, direction of what is carried, counter-clockwise from ahead
+  double side_ = 0.0;   // rad, direction of the carried robot, counter-clockwise from ahead
   double speed_ = 0.0;  // m/s
 };
 

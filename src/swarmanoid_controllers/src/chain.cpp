@@ -1,4 +1,4 @@
-// A chain: each footbot holds the footbot ahead, and they drive on together.
+// A chain: each footbot grips the footbot ahead, and they drive on together.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
@@ -31,7 +31,7 @@ class Chain final : public Controller {
   FootbotLeds* leds_ = nullptr;
   const FootbotGripperState* gripper_state_ = nullptr;
   double speed_ = 0.0;  // m/s
-  double start_ = 0.0;  // s after the run began, until all have gripped
+  double start_ = 0.0;  // s after the start of the run, by when all have gripped
 };
 
 }  // namespace swarmanoid

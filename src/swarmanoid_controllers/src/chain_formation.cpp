@@ -1,7 +1,7 @@
-// Chain formation, after Nouyan and Dorigo, "Chain based path formation in swarms of robots", ANTS 2006: footbots that
-// see no farther than to their neighbours make a chain from the nest to a prey. A robot explores along the chain; at
-// its end it joins by chance, and the last of a chain leaves by chance, to explore anew. Links shine in three colours
-// in turn, so whoever sees two of them knows which way the nest is.
+// Chain formation, after Nouyan and Dorigo, "Chain based path formation in swarms of robots", ANTS 2006: footbots with
+// a view no wider than the distance to their neighbours form a chain from the nest to a prey. A robot explores along
+// the chain. At its end the robot joins at random; the last link leaves at random and explores anew. Links shine in
+// three colours in turn, so a robot that sees two of them knows the direction of the nest.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -61,19 +61,19 @@ class ChainFormation final : public Controller {
  private:
   enum class State { kSearch, kExplore, kLink, kReturn, kSetOut };
 
-  /// The nest, and links by their colours; nobody can tell the first link from the fourth.
+  /// The nest, or a link by its colour; the first and the fourth link look the same.
   using Place = std::size_t;
   static constexpr Place kNest = 0;
   static constexpr Place kPlaces = 4;
   static constexpr double kTurnRate = 1.5;   // rad/s
-  static constexpr double kBendFor = 10.0;   // s, until whoever is hindered tries another direction,
-  static constexpr double kPatience = 40.0;  // s: and until it goes elsewhere
+  static constexpr double kBendFor = 10.0;   // s, until a blocked robot tries another direction
+  static constexpr double kPatience = 40.0;  // s, until it gives up and goes elsewhere
 
   static Place next(Place place) { return place == kPlaces - 1 ? 1 : place + 1; }
-  /// Of a link that is not the first.
+  /// @pre not the first link
   static Place before(Place link) { return link == 1 ? kPlaces - 1 : link - 1; }
 
-  /// The place before, as far as it is in sight: that of a first link is the nest, that of a fourth one a link.
+  /// The visible place before this one: for a first link the nest, for a fourth one a link.
   std::optional<Sighting> previous(Place place) const {
     if (place == kNest) {
       return std::nullopt;
@@ -86,7 +86,7 @@ class ChainFormation final : public Controller {
     return is_nest_nearer ? seen_[kNest] : link;
   }
 
-  /// @throws ConfigError if it is that of links
+  /// @throws ConfigError for a colour of the links
   Color colorOf(const std::string& thing, const Configuration& parameters, Color fallback) const {
     const std::string key = thing + "_color";
     const Color color = parameters.color(key, fallback);
@@ -156,7 +156,7 @@ class ChainFormation final : public Controller {
     }
   }
 
-  /// Along the chain, as far as links are in sight, and then beyond the last of them.
+  /// Drives along the chain while a next link is visible, and then beyond the last one.
   void explore() {
     const Place place = nearest();
     if (place == kPlaces) {
@@ -171,12 +171,12 @@ class ChainFormation final : public Controller {
     prolong(place);
   }
 
-  /// Drives to where the next link belongs, and becomes that link by chance.
+  /// Drives to the place of the next link, and becomes that link at random.
   void prolong(Place end) {
     constexpr double kArrived = 0.1;       // m
     constexpr double kSharpestBend = 1.0;  // rad
     memory_.bend_left -= dt_;
-    if (memory_.bend_left <= 0.0) {  // something may be in the way there
+    if (memory_.bend_left <= 0.0) {  // an obstacle may block that place
       memory_.bend = robot_->random().uniform(-kSharpestBend, kSharpestBend);
       memory_.bend_left = kBendFor;
     }
@@ -192,7 +192,7 @@ class ChainFormation final : public Controller {
     }
   }
 
-  /// Where the next link belongs: in the direction of the chain, and from the nest in any one.
+  /// Place of the next link: in the direction of the chain, or in any direction from the nest.
   Sighting beyond(Place place) const {
     const Sighting& end = *seen_[place];
     const std::optional<Sighting> before = previous(place);
@@ -201,9 +201,9 @@ class ChainFormation final : public Controller {
     return {end.x + distance_ * std::cos(direction), end.y + distance_ * std::sin(direction)};
   }
 
-  /// Stands still while the chain before it is there, and leaves by chance while it is the last and sees no prey.
+  /// Stands still while the link before it is visible; the last link leaves at random while it sees no prey.
   void link() {
-    constexpr double kLost = 2.0;  // s: somebody may have driven past
+    constexpr double kLost = 2.0;  // s: a passing robot may hide the link
     wheels_->drive(0.0, 0.0);
     const Place awaited = memory_.is_first ? kNest : before(memory_.link);
     memory_.lost_for = seen_[awaited] ? 0.0 : memory_.lost_for + dt_;
@@ -216,7 +216,7 @@ class ChainFormation final : public Controller {
     }
   }
 
-  /// Along the chain to the nest.
+  /// Drives along the chain to the nest.
   void goBack() {
     constexpr double kAtNest = 0.3;  // m
     const Place place = nearest();
@@ -230,7 +230,7 @@ class ChainFormation final : public Controller {
     drive(target ? target->bearing() : seen_[place]->bearing());
   }
 
-  /// In a direction of chance.
+  /// Drives off in a random direction.
   void setOut() {
     constexpr double kStraight = 3.0;  // s
     if (memory_.turn_left > 0.0) {
@@ -244,7 +244,7 @@ class ChainFormation final : public Controller {
     drive(0.0);
   }
 
-  /// @param rate how often in the mean [1/s]
+  /// @param rate mean frequency [1/s]
   bool isByChance(double rate) { return robot_->random().uniform() < rate * dt_; }
 
   void drive(double bearing) {
@@ -253,12 +253,12 @@ class ChainFormation final : public Controller {
     }
   }
 
-  /// Turns away from obstacles ahead, to one side until none is there, and drives past.
-  /// @return whether there was one
+  /// Turns away from obstacles ahead, to one side until the way is free, and drives past.
+  /// @return whether the wheels were commanded
   bool avoidObstacle() {
     constexpr double kThreshold = 0.05;
-    constexpr double kHalfField = 1.2;  // rad: what is beside and behind does not count
-    constexpr double kEscape = 1.0;     // s: a turn back at once would lead to the same obstacle
+    constexpr double kHalfField = 1.2;  // rad: obstacles beside and behind the robot do not count
+    constexpr double kEscape = 1.0;     // s: an immediate turn back would lead to the same obstacle
     const ObstacleVector obstacle(*proximity_, kHalfField);
     if (obstacle.length() > kThreshold) {
       if (memory_.avoiding_turn == 0.0) {
@@ -283,27 +283,27 @@ class ChainFormation final : public Controller {
   const FootbotProximity* proximity_ = nullptr;
   const FootbotCamera* camera_ = nullptr;
   double speed_ = 0.0;     // m/s
-  double distance_ = 0.0;  // m, from link to link
-  double joining_ = 0.0;   // 1/s, of whoever is at the end of a chain
-  double leaving_ = 0.0;   // 1/s, of the last link
+  double distance_ = 0.0;  // m, between links
+  double joining_ = 0.0;   // 1/s, rate at the end of a chain
+  double leaving_ = 0.0;   // 1/s, rate of the last link
   Color prey_color_;
   std::array<Color, kPlaces> colors_{colors::kMagenta, colors::kBlue, colors::kGreen, colors::kYellow};
   double dt_ = 0.0;                                      // s
-  std::array<std::optional<Sighting>, kPlaces> seen_{};  // the nearest of each, in this step
+  std::array<std::optional<Sighting>, kPlaces> seen_{};  // the nearest one of each place, in this step
 
-  /// What is forgotten at a reset.
+  /// State that a reset clears.
   struct Memory {
     State state = State::kSearch;
     double time_in_state = 0.0;  // s
-    double bend = 0.0;           // rad: of the chain, where this robot would prolong it
-    double bend_left = 0.0;      // s, until it tries another one
-    Place link = kNest;          // its own place, while it is a link,
-    bool is_first = false;       // and whether that is beside the nest
+    double bend = 0.0;           // rad, of the chain at its end, where this robot would extend it
+    double bend_left = 0.0;      // s, until it tries another bend
+    Place link = kNest;          // its place, while it is a link
+    bool is_first = false;       // whether that place is beside the nest
     double lost_for = 0.0;       // s for which a link has not seen the one before it
-    double turn_left = 0.0;      // rad, before it sets out
+    double turn_left = 0.0;      // rad, before it drives off
     double turn_rate = 0.0;      // rad/s, while it wanders
     double avoiding_turn = 0.0;  // rad/s, while it turns away from an obstacle
-    double escape_left = 0.0;    // s of driving on after an obstacle
+    double escape_left = 0.0;    // s of driving straight on after an obstacle
   };
   Memory memory_;
 };

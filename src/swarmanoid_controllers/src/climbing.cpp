@@ -1,6 +1,7 @@
-// A handbot that climbs along a wall by its rope, takes what stands out at the top with its left hand and brings it
-// down. It begins when its distance sensors feel a wall ahead and nobody carries it any more, stops climbing where they
-// feel the wall no longer, feels for the object with its hand, lower each time, and is down when the rope is slack.
+// A handbot that climbs along a wall by its rope, grips an object that sticks out at the top with its left hand and
+// carries it down. It starts when its distance sensors detect a wall ahead and its carriers have released it, stops
+// climbing where the sensors no longer detect the wall, feels for the object with its hand, lower at each try, and has
+// arrived at the ground when the rope is slack.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +25,7 @@ class Climbing final : public Controller {
     hands_state_ = &robot.sensor<HandbotHandsState>();
     rope_state_ = &robot.sensor<HandbotRopeState>();
     distance_ = &robot.sensor<HandbotDistance>();
-    if (robot.hasActuator(Wifi::kType)) {  // whoever is carried tells its carriers
+    if (robot.hasActuator(Wifi::kType)) {  // a carried handbot reports to its carriers
       wifi_ = &robot.actuator<Wifi>();
       received_ = &robot.sensor<WifiReceived>();
     }
@@ -87,10 +88,10 @@ class Climbing final : public Controller {
     robot_->debug("state", kNames[static_cast<int>(state)]);
   }
 
-  /// Until it stands at a wall, and those who have carried it have been silent for a while.
+  /// Waits until it stands at a wall and its carriers have been silent for a while.
   void wait() {
     constexpr double kNear = 0.09;  // m
-    constexpr double kAway = 0.11;  // m: what is read is noisy
+    constexpr double kAway = 0.11;  // m: larger than kNear because the readings are noisy
     constexpr double kQuiet = 1.0;  // s
     is_at_wall_ = distance_->value(0) < (is_at_wall_ ? kAway : kNear);
     if (wifi_ != nullptr && is_at_wall_) {
@@ -117,11 +118,11 @@ class Climbing final : public Controller {
   }
 
   void climb() {
-    constexpr double kFar = 0.2;        // m: no wall
+    constexpr double kFar = 0.2;        // m: there is no wall
     constexpr double kBesideTop = 0.3;  // s
-    constexpr double kShortest = 0.3;   // m, of the rope: the ceiling
-    constexpr double kBelow = 0.047;    // m, from there to where the hand first feels for the object
-    constexpr double kSmoothly = 0.02;  // m/s2: else it would turn about the rope when it is lifted
+    constexpr double kShortest = 0.3;   // m, of the rope: the robot is at the ceiling
+    constexpr double kBelow = 0.047;    // m, from there to the first height at which the hand feels for the object
+    constexpr double kSmoothly = 0.02;  // m/s2: a higher acceleration makes the robot turn about the rope at lift-off
     rope_->winding_speed = std::min(kWinding, rope_->winding_speed + kSmoothly * dt_);
     const bool sees_wall = !(distance_->value(0) > kFar);
     if (sees_wall) {
@@ -135,8 +136,8 @@ class Climbing final : public Controller {
     }
   }
 
-  /// Goes where the hand shall feel for the object, the arms below it. On their way down the elbows are bent, so that
-  /// the hand does not meet it from above.
+  /// Moves to the height where the hand will feel for the object, with the arms below it. The elbows are bent while the
+  /// arms move down, so that the hand does not touch the object from above.
   void adjust() {
     const bool are_down = moveArms(kDown, kSwift);
     const bool are_straight = bendElbows(are_down ? 0.0 : kBent);
@@ -146,9 +147,9 @@ class Climbing final : public Controller {
     }
   }
 
-  /// Raises the hand until it holds something. Where it meets nothing it tries lower, and at last goes down.
+  /// Raises the hand until it holds the object. After a miss it tries lower, and descends after the last try.
   void reach() {
-    constexpr double kReached = -0.5;  // rad: above all that it could reach
+    constexpr double kReached = -0.5;  // rad: above every object within reach
     constexpr double kStep = 0.015;    // m
     wind(length_);
     hands_->left = true;
@@ -161,7 +162,7 @@ class Climbing final : public Controller {
     }
   }
 
-  /// Raises the object. Where it loses the object it feels for it again.
+  /// Raises the object. If the grip is lost, it feels for the object again.
   void take() {
     if (!isHolding()) {
       return tryAgain();
@@ -191,7 +192,7 @@ class Climbing final : public Controller {
 
   bool isHolding() const { return hands_state_->left.holding; }
 
-  /// Outwards. @return whether they are there
+  /// @param angle outwards [rad] @return whether both elbows are commanded to it
   bool bendElbows(double angle) {
     const double most = kSwift * dt_;
     arms_->left.elbow += std::clamp(angle - arms_->left.elbow, -most, most);
@@ -199,7 +200,7 @@ class Climbing final : public Controller {
     return arms_->left.elbow == angle;
   }
 
-  /// Both shoulders, at most so fast. @return whether the left one is there
+  /// Moves both shoulders with a limited speed. @return whether the left one has arrived
   bool moveArms(double angle, double speed) {
     constexpr double kClose = 0.05;  // rad
     const double most = speed * dt_;
@@ -221,7 +222,7 @@ class Climbing final : public Controller {
   HandbotArms* arms_ = nullptr;
   HandbotHands* hands_ = nullptr;
   HandbotRope* rope_ = nullptr;
-  Wifi* wifi_ = nullptr;  // null: nobody carries it
+  Wifi* wifi_ = nullptr;  // null: the robot is not carried
   const HandbotArmsState* arms_state_ = nullptr;
   const HandbotHandsState* hands_state_ = nullptr;
   const HandbotRopeState* rope_state_ = nullptr;
@@ -229,8 +230,8 @@ class Climbing final : public Controller {
   const WifiReceived* received_ = nullptr;
   State state_ = State::kWaiting;
   double dt_ = 0.1;      // s, of the tick
-  double since_ = 0.0;   // s, in this state, or since what it waits for was last hindered
-  double length_ = 0.0;  // m, of the rope, where the hand feels for the object
+  double since_ = 0.0;   // s, in this state, or since its condition was last violated
+  double length_ = 0.0;  // m, of the rope, while the hand feels for the object
   int tries_ = 0;
   bool is_at_wall_ = false;
 };

@@ -27,8 +27,8 @@ void steer(Drive& wheels, double bearing, double speed) {
   wheels.drive(speed * ahead * ahead, std::clamp(kGain * bearing, -kFastestTurn, kFastestTurn));
 }
 
-/// Of a robot that wanders: it drives arcs, each for 3 s on average.
-/// @param turn_rate of its arc [rad/s] @param dt since the last call [s] @return that of its arc from now on [rad/s]
+/// Turn rate of a wandering robot, which drives arcs of 3 s on average.
+/// @param turn_rate of the current arc [rad/s] @param dt since the last call [s] @return turn rate from now on [rad/s]
 inline double wanderingTurnRate(RandomStream& random, double turn_rate, double dt) {
   constexpr double kArc = 3.0;       // s on average
   constexpr double kTightest = 0.8;  // rad/s
@@ -70,7 +70,7 @@ struct ObstacleVector {
     y += value * sine;
   }
 
-  /// Of the sensors of a footbot.
+  /// Directions of the sensors of a footbot.
   struct Directions {
     std::array<double, FootbotProximity::kCount> cosine;
     std::array<double, FootbotProximity::kCount> sine;
@@ -83,7 +83,8 @@ struct ObstacleVector {
     }
   };
 
-  /// Mostly not, and all sensors are looked at together, as bits, faster than one by one.
+  /// Whether any sensor detects an obstacle; usually none does. Testing the bits of all values together is faster than
+  /// testing them one by one.
   static bool isAnythingNear(const FootbotProximity& proximity) {
     std::array<std::uint32_t, FootbotProximity::kCount> bits;
     static_assert(sizeof(bits) == sizeof(proximity.value));
@@ -96,11 +97,11 @@ struct ObstacleVector {
   }
 };
 
-/// Drives by the devices that the controller's configuration lists: those of any robot, or else those of a footbot.
+/// Drives with the devices in the controller's configuration: the generic ones if listed, otherwise those of a footbot.
 class MobileBase {
  public:
   MobileBase() = default;
-  /// @throws DeviceError if it lists neither
+  /// @throws DeviceError if the robot has neither
   explicit MobileBase(Robot& robot) {
     if (robot.hasActuator(DifferentialDrive::kType)) {
       drive_ = &robot.actuator<DifferentialDrive>();

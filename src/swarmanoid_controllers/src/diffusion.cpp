@@ -1,4 +1,4 @@
-// Diffusion: the robot drives straight on until an obstacle is near ahead, then turns away until none is. For footbots,
+// Diffusion: the robot drives straight on to the next obstacle ahead, then turns until the way is free. For footbots,
 // and for any robot with a differential drive and proximity sensors.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
@@ -17,7 +17,7 @@ class Diffusion final : public Controller {
   void reset() override { turn_rate_ = 0.0; }
 
   void step(Time, Duration) override {
-    // obstacles beside and behind do not count: they must not outweigh those ahead
+    // obstacles beside and behind do not count: they would outweigh those ahead
     constexpr double kHalfField = 1.5;  // rad
     const ObstacleVector obstacle = base_.obstacles(kHalfField);
     if (obstacle.length() <= threshold_) {
@@ -25,7 +25,7 @@ class Diffusion final : public Controller {
       base_.drive(speed_, 0.0);
       return;
     }
-    if (turn_rate_ == 0.0) {             // a turn keeps its side: a corner would turn it to and fro
+    if (turn_rate_ == 0.0) {             // a turn keeps its side; in a corner it would oscillate otherwise
       constexpr double kTurnRate = 1.5;  // rad/s
       turn_rate_ = obstacle.y > 0.0 ? -kTurnRate : kTurnRate;
     }

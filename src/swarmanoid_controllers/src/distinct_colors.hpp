@@ -1,4 +1,4 @@
-/// Colours by which a controller knows things, or which its robot shows, must not be taken for each other.
+/// Checks that colours by which a controller recognizes objects, or which its robot shows, are distinct.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 namespace swarmanoid {
 
 struct NamedColor {
-  std::string name;  ///< of the parameter; in words for a colour that is always the same
+  std::string name;  ///< name of the parameter; a description for a colour without a parameter
   Color color;
 };
 
-/// @throws ConfigError if two of them are equal, at the one that was given
+/// @throws ConfigError if two colours are equal, at the one that the parameters set
 inline void refuseEqualColors(const Configuration& parameters, const std::vector<NamedColor>& colors) {
   for (std::size_t i = 0; i < colors.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

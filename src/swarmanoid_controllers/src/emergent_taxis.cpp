@@ -1,7 +1,8 @@
-// Emergent taxis: phototaxis of a swarm that comes of avoiding obstacles alone, by the omega algorithm of Bjerknes and
-// Winfield, "On fault tolerance and scalability of swarm robotic systems", DARS 2010. No robot knows where the light
-// is. Whoever is in the light keeps a greater distance from others than whoever stands in somebody's shadow; who has
-// met nobody for some time turns to where the others are. So the swarm stays together, and creeps towards the light.
+// Emergent taxis: phototaxis of a swarm that results from obstacle avoidance alone, by the omega algorithm of Bjerknes
+// and Winfield, "On fault tolerance and scalability of swarm robotic systems", DARS 2010. No robot measures the
+// direction of the light. Lit robots keep a greater distance from others than shadowed ones, and a robot without an
+// encounter for some time turns towards the others. The swarm therefore stays together, and moves slowly towards the
+// light.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +31,7 @@ class EmergentTaxis final : public Controller {
 
   void reset() override {
     memory_ = Memory{};
-    messages_->sends = true;  // nothing but where it is
+    messages_->sends = true;  // an empty message: others measure its range and bearing
     *wheels_ = FootbotWheels{};
     robot_->debug("state", "Go Ahead");
   }
@@ -60,19 +61,19 @@ class EmergentTaxis final : public Controller {
  private:
   static constexpr double kTurnRate = 1.5;   // rad/s
   static constexpr float kDark = 0.01F;      // a reading of a light sensor
-  static constexpr std::size_t kAround = 4;  // of its sensors half face the light, and of these half must be lit
+  static constexpr std::size_t kAround = 4;  // half of the sensors face the light, and half of those must be lit
 
-  /// What it forgets when it meets somebody.
+  /// State that an encounter clears.
   struct Memory {
-    double alone_for = 0.0;  // s since it avoided somebody or turned back
-    double turn_left = 0.0;  // rad to where the others are, counter-clockwise
+    double alone_for = 0.0;  // s since the robot last avoided another one or turned back
+    double turn_left = 0.0;  // rad towards the others, counter-clockwise
   };
 
-  /// Where others are, in the robot's frame.
+  /// Directions of the other robots, in the robot's frame.
   struct Others {
     bool are_near = false;
-    Eigen::Vector2d away = Eigen::Vector2d::Zero();    // from those who are too near, the nearest weighing most
-    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  // the direction of all who are in sight [m, times how many]
+    Eigen::Vector2d away = Eigen::Vector2d::Zero();    // from those that are too near, weighted by nearness
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  // sum of the positions of all visible ones [m]
   };
 
   bool isInLight() const {
@@ -83,7 +84,7 @@ class EmergentTaxis final : public Controller {
     return lit * kAround >= light_->sensors.size();
   }
 
-  /// @param radius within which others are too near [m]
+  /// @param radius below which a distance is too small [m]
   Others look(double radius) const {
     Others others;
     for (const RangeAndBearingMessage& message : others_->messages) {
@@ -106,8 +107,8 @@ class EmergentTaxis final : public Controller {
   const RangeAndBearingReceived* others_ = nullptr;
   double speed_ = 0.0;             // m/s
   double omega_ = 0.0;             // s
-  double radius_in_light_ = 0.0;   // m, of avoidance, between the robots' middles
-  double radius_in_shadow_ = 0.0;  // m, likewise
+  double radius_in_light_ = 0.0;   // m, avoidance distance between the robots' centres
+  double radius_in_shadow_ = 0.0;  // m, the same in shadow
   Memory memory_;
 };
 

@@ -1,7 +1,7 @@
 // Flocking of eyebots in three dimensions: the flock of footbots (flocking.cpp) with the range and bearing board of
 // flying robots, after Roberts, Stirling, Zufferey and Floreano, "3-D relative positioning sensor for indoor flying
-// robots", Autonomous Robots 33 (2012), which measures elevation too. Each eyebot aligns with the headings that its
-// neighbours say, against a compass, and keeps its distance from them in all directions.
+// robots", Autonomous Robots 33 (2012), which measures elevation too. Each eyebot aligns with the compass headings that
+// its neighbours send, and keeps its distance from them in all directions.
 #include <algorithm>
 #include <cmath>
 
@@ -60,8 +60,8 @@ class EyebotFlocking final : public Controller {
     return sum;
   }
 
-  /// Upwards, the faster the farther it is below the lowest height [m/s]. The altitude sensor would not do: it measures
-  /// to what is straight below, and that may be another one of the flock.
+  /// Upward speed, proportional to the distance below the minimum height [m/s]. The altitude sensor would not do: it
+  /// measures the distance to the object straight below, which may be another eyebot.
   double climb() const { return kClimbGain * std::max(0.0, lowest_ - tracker_->position.z()); }
 
   EyebotVelocity* flight_ = nullptr;
@@ -70,9 +70,9 @@ class EyebotFlocking final : public Controller {
   const Positioning* tracker_ = nullptr;  // compass and barometer
   double speed_ = 0.0;                    // m/s
   double distance_ = 0.0;                 // m, between neighbours
-  double cohesion_ = 0.0;                 // weight of the force between neighbours, against that of the alignment
+  double cohesion_ = 0.0;                 // weight of the force between neighbours relative to the alignment
   bool aligns_ = true;
-  double lowest_ = 0.0;  // m, height
+  double lowest_ = 0.0;  // m, minimum height
 };
 
 }  // namespace swarmanoid

@@ -1,6 +1,6 @@
 // The eyebot of the object retrieval experiment (thesis 4.3, figure 4.3): picks a prey, finds it, points at it with the
-// laser until a footbot has gripped it, then finds the nest and leads the footbot there. If the footbot lets go on the
-// way, it begins anew.
+// laser until a footbot has gripped it, then finds the nest and leads the footbot there. If the footbot releases the
+// prey on the way, the eyebot starts over.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -141,7 +141,7 @@ class EyebotRetrieval final : public Controller {
       return enter(State::kGoToNest);
     }
     if (isFollowed()) {
-      // the eyebot looks for the nest at the place where it was seen, such as at the edge of the view
+      // the eyebot first flies to the last seen place of the nest, such as at the edge of the view
       if (nest_place_) {
         waypoint_ = *nest_place_;
         nest_place_.reset();
@@ -171,16 +171,16 @@ class EyebotRetrieval final : public Controller {
     return footbot && footbot->distanceTo(prey) < kHoldsPrey;
   }
 
-  /// Returns whether no blue footbot has been in sight for some time: a footbot that holds a prey is never farther away
-  /// than its camera sees the spot.
+  /// Returns whether no blue footbot has been in sight for some time: a footbot that holds a prey always stays within
+  /// the eyebot's view, because it must see the spot.
   bool isLeftAlone() {
     constexpr double kGiveUp = 5.0;  // s
     time_alone_ = nearestBlob(*camera_, colors::kBlue) ? 0.0 : time_alone_ + dt_;
     return time_alone_ > kGiveUp;
   }
 
-  /// Returns whether the blue footbot is near enough to the spot, which lies straight below, to go on. Without a
-  /// footbot in sight the eyebot stays and waits for it (thesis 4.3).
+  /// Returns whether the blue footbot is near enough to the spot, which is straight below, to continue. Without a
+  /// footbot in sight the eyebot waits for it (thesis 4.3).
   bool isFollowed() const {
     constexpr double kLead = 0.5;  // m from the footbot to the spot
     const auto footbot = middleOfBlobs(*camera_, colors::kBlue);
@@ -232,8 +232,8 @@ class EyebotRetrieval final : public Controller {
   double dt_ = 0.0;                     // s
   double time_alone_ = 0.0;             // s since a blue footbot was in sight
   Sighting flown_;                      // from the start, in the frame of the start
-  Sighting waypoint_;                   // likewise
-  std::optional<Sighting> nest_place_;  // likewise; last seen position of the nest
+  Sighting waypoint_;                   // in the frame of the start
+  std::optional<Sighting> nest_place_;  // last seen position of the nest, in the frame of the start
 };
 
 }  // namespace swarmanoid

@@ -1,4 +1,4 @@
-// A feed-forward neural network: what it reads and commands, its size, its weights and biases are parameters. See
+// A feed-forward neural network: its inputs, outputs, size, weights and biases are parameters. See
 // docs/reference/neural_controllers.md.
 #include "neural/feed_forward_network.hpp"
 
@@ -11,7 +11,7 @@
 namespace swarmanoid {
 namespace {
 
-/// "8, 4" are two layers; an empty text is none.
+/// "8, 4" means two layers; an empty text means none.
 std::vector<std::size_t> hiddenLayers(const Configuration& parameters) {
   const Configuration* found = parameters.find("hidden");
   if (found == nullptr || found->text().empty()) {

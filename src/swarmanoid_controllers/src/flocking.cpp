@@ -1,6 +1,6 @@
 // Flocking by range and bearing, after Turgut, Celikkanat, Gokce and Sahin, "Self-organized flocking in mobile robot
-// swarms", Swarm Intelligence 2 (2008): each footbot aligns with the headings that its neighbours say, and keeps its
-// distance from them. All headings are against a lamp far away, which stands for the compass of the paper's robots.
+// swarms", Swarm Intelligence 2 (2008): each footbot aligns with the headings that its neighbours send, and keeps its
+// distance from them. Headings are relative to a distant lamp, which replaces the compass of the paper's robots.
 #include <optional>
 
 #include "blob_search.hpp"
@@ -50,13 +50,13 @@ class Flocking final : public Controller {
  private:
   static constexpr double kTurnGain = 1.0;  // 1/s
 
-  /// @return the robot's heading against the direction of the lamp [rad]; nothing if it is not in sight
+  /// @return the robot's heading relative to the direction of the lamp [rad]; nothing if the lamp is not in sight
   std::optional<double> look() const {
     const std::optional<Sighting> lamp = nearestBlob(*camera_, compass_color_);
     return lamp ? std::optional<double>(-lamp->bearing()) : std::nullopt;
   }
 
-  /// Turns towards the course, and drives as far as it lies ahead.
+  /// Turns towards the course, at a speed proportional to its forward component.
   void drive(const Eigen::Vector2d& course) {
     const double bearing = course.isZero() ? 0.0 : std::atan2(course.y(), course.x());
     wheels_->drive(speed_ * std::max(0.0, std::cos(bearing)), kTurnGain * bearing);
@@ -68,9 +68,9 @@ class Flocking final : public Controller {
   const FootbotCamera* camera_ = nullptr;
   double speed_ = 0.0;     // m/s
   double distance_ = 0.0;  // m, between neighbours
-  double cohesion_ = 0.0;  // weight of the force between neighbours, against that of the alignment
+  double cohesion_ = 0.0;  // weight of the force between neighbours relative to the alignment
   bool aligns_ = true;
-  Color compass_color_;  // of the lamp against which headings are
+  Color compass_color_;  // of the lamp that defines the reference heading
 };
 
 }  // namespace swarmanoid

@@ -1,5 +1,5 @@
-// A footbot that forages on a battery: it carries preys to the nest, shining blue, and when little is left it visits a
-// perch, shining magenta, once it has brought what it holds.
+// A footbot that forages on a battery: it carries preys to the nest, with blue light, and at a low charge visits a
+// perch, with magenta light, after it has delivered its prey.
 #include "perch_visit.hpp"
 #include "prey_retrieval.hpp"
 #include "swarmanoid_interface/controller.hpp"

@@ -1,5 +1,5 @@
-// A footbot that is charged beside perches: it wanders; when little is left in its battery it visits a perch, shining
-// blue, until the battery is full, and wanders again.
+// A footbot that charges its battery beside perches: it wanders, visits a perch at a low charge, with blue light, until
+// the battery is full, and wanders again.
 #include "perch_visit.hpp"
 #include "swarmanoid_interface/controller.hpp"
 
@@ -62,7 +62,7 @@ class FootbotCharging final : public Controller {
   double speed_ = 0.0;  // m/s
   PerchVisit visit_;
 
-  /// All that it keeps while it wanders.
+  /// State that is kept while it wanders.
   struct Memory {
     ObstacleEscape escape;
     double turn_rate = 0.0;  // rad/s

@@ -1,4 +1,4 @@
-// A footbot that forages alone, by what it sees of preys and nest.
+// A footbot that forages alone, by the preys and the nest that it sees.
 #include "prey_retrieval.hpp"
 #include "swarmanoid_interface/controller.hpp"
 

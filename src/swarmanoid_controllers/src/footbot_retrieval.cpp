@@ -23,7 +23,7 @@ class FootbotRetrieval final : public Controller {
     camera_ = &robot.sensor<FootbotCamera>();
     gripper_state_ = &robot.sensor<FootbotGripperState>();
     speed_ = parameters.number("speed", 0.15, {0.01, 0.3});
-    // from the robot's axis to that of a gripped prey: 0.11 m to the tip, the prey's radius, and a margin
+    // from the robot's axis to the axis of a gripped prey: 0.11 m to the tip, the prey's radius, and a margin
     prey_reach_ = parameters.number("prey_reach", 0.24, {0.11, 1.0});
     parameters.refuseUnread({"speed", "prey_reach"});
     reset();
@@ -89,7 +89,7 @@ class FootbotRetrieval final : public Controller {
     robot_->debug("state", nameOf(state));
   }
 
-  /// Makes room after a grip that failed, so that the footbots around the prey do not block each other.
+  /// Leaves after a failed grip, so that the footbots around the prey do not block each other.
   void letGo() {
     enter(State::kSearchForLaser);
     memory_.retreat_time = robot_->random().uniform(2.0, 10.0);
@@ -182,8 +182,8 @@ class FootbotRetrieval final : public Controller {
     }
   }
 
-  /// Returns whether for some time there has been no prey at the gripper, so that it holds another footbot; or another
-  /// blue footbot has been beside the prey, which holds it too.
+  /// Returns whether for some time there has been no prey at the gripper, so that it holds another footbot, or whether
+  /// another blue footbot has been beside the prey and holds it too.
   bool holdsInVain() {
     const std::optional<Sighting> prey = preyInGripper();
     const bool is_mine = prey && !(signaller_ && signaller_->distanceTo(*prey) < prey_reach_);
@@ -192,7 +192,7 @@ class FootbotRetrieval final : public Controller {
   }
 
   void avoidGrippingFootbot() {
-    constexpr double kRoom = 1.0;  // m that the signalling footbot needs
+    constexpr double kRoom = 1.0;  // m of distance to the signalling footbot
     constexpr double kCalm = 2.0;  // s without blue
     if (!signaller_) {
       memory_.time_unseen += dt_;
@@ -278,8 +278,8 @@ class FootbotRetrieval final : public Controller {
     memory_.wiggle_turn_rate = robot_->random().uniform(-1.5, 1.5);
   }
 
-  /// Detects a jam: while the spot waits and its distance does not decrease, the way is blocked, by the held object if
-  /// wiggling does not help.
+  /// Detects a jam: a distance to the waiting spot that does not decrease means that the way is blocked. If wiggling
+  /// does not help, the held object is the obstacle.
   void noticeJam(double spot_distance) {
     constexpr double kNearer = 0.02;  // m
     constexpr double kJammed = 8.0;   // s
@@ -308,15 +308,15 @@ class FootbotRetrieval final : public Controller {
   double speed_ = 0.0;       // m/s
   double prey_reach_ = 0.0;  // m
 
-  /// All state that steps keep for later steps; a reset clears it.
+  /// State that is kept between steps; a reset clears it.
   struct Memory {
     State state = State::kSearchForLaser;
     double time_in_state = 0.0;     // s
     double time_unseen = 0.0;       // s in which the target of the state is not in sight
-    double retreat_time = 0.0;      // s at the start of Search for Laser in which the spot does not matter
+    double retreat_time = 0.0;      // s at the start of Search for Laser in which the spot is ignored
     double time_avoiding = 0.0;     // s of turning away without success
     double time_barred = 0.0;       // s since the distance to the spot last decreased
-    double best_distance = 0.0;     // m to the spot, when this distance last changed
+    double best_distance = 0.0;     // m to the spot, at the last progress
     double time_in_vain = 0.0;      // s of holding an object that cannot be brought home
     double patience = 0.0;          // s of holding in vain until the footbot gives up
     int jams = 0;                   // count since the distance to the spot last decreased

@@ -1,4 +1,4 @@
-/// What footbots do around the things that they grip.
+/// Movements of footbots around objects that they grip.
 #pragma once
 
 #include <cmath>
@@ -8,9 +8,10 @@
 
 namespace swarmanoid {
 
-/// Turns towards a thing, then drives up to it with the gripper ahead.
-/// @param prey where it is @param reach from the robot's axis to that of a gripped thing, and a margin [m]
-/// @param speed of the robot, @param approach_speed of the last way [m/s]
+/// Turns towards an object, then drives up to it with the gripper ahead.
+/// @param prey position of the object @param reach from the robot's axis to the axis of a gripped object, plus a margin
+/// [m]
+/// @param speed of the robot, @param approach_speed of the final approach [m/s]
 inline void driveToGrip(FootbotWheels& wheels, const Sighting& prey, double reach, double speed,
                         double approach_speed) {
   constexpr double kAligned = 0.12;  // rad

@@ -9,11 +9,11 @@
 
 namespace swarmanoid {
 
-constexpr double kStepsOfTurn = 65536.0;  // that the two bytes of a message tell apart
+constexpr double kStepsOfTurn = 65536.0;  // number of angles that two bytes can encode
 
-/// @param heading against a direction that all robots know [rad]
+/// @param heading relative to a reference direction that all robots share [rad]
 inline RangeAndBearing::Payload payloadOfHeading(double heading) {
-  // an unsigned number of 16 bits goes round as an angle does
+  // an unsigned number of 16 bits wraps around as an angle does
   const auto steps = static_cast<std::uint16_t>(std::llround(heading / (2.0 * M_PI) * kStepsOfTurn));
   RangeAndBearing::Payload payload{};
   payload[0] = static_cast<std::uint8_t>(steps >> 8U);
@@ -26,9 +26,8 @@ inline double headingIn(const RangeAndBearing::Payload& payload) {
   return (256.0 * payload[0] + payload[1]) / kStepsOfTurn * 2.0 * M_PI;
 }
 
-/// @param own_heading against the direction that all robots know [rad]
-/// @return the mean direction of the headings of all neighbours in the robot's frame, of length 1; ahead if it hears
-/// none
+/// @param own_heading relative to the shared reference direction [rad]
+/// @return unit vector of the mean heading of all neighbours in the robot's frame; straight ahead without neighbours
 inline Eigen::Vector2d alignment(const RangeAndBearingReceived& received, double own_heading) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const RangeAndBearingMessage& message : received.messages) {

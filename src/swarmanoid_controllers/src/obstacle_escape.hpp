@@ -1,4 +1,4 @@
-/// How footbots turn away from what is ahead, and get away from it.
+/// How footbots turn away from obstacles ahead and leave them.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,17 @@ class ObstacleEscape {
  public:
   void reset() { *this = ObstacleEscape{}; }
 
-  /// Turns away from obstacles ahead, and then drives on for some time, for a turn back at once would lead to the same
-  /// obstacle.
-  /// @param speed of driving on [m/s] @param dt since the last call [s] @return whether it has commanded the wheels
+  /// Turns away from obstacles ahead, then drives straight on for a while: an immediate turn back would lead to the
+  /// same obstacle.
+  /// @param speed of driving straight on [m/s] @param dt since the last call [s] @return whether the wheels were
+  /// commanded
   bool drive(FootbotWheels& wheels, const FootbotProximity& proximity, RandomStream& random, double speed, double dt) {
     constexpr double kThreshold = 0.05;
-    constexpr double kHalfField = 1.5;  // rad: what is beside and behind does not count
+    constexpr double kHalfField = 1.5;  // rad: obstacles beside and behind the robot do not count
     constexpr double kTurnRate = 1.5;   // rad/s
     const ObstacleVector obstacle(proximity, kHalfField);
     if (obstacle.length() > kThreshold) {
-      if (turn_ == 0.0) {  // a turn keeps its side: a corner would turn it to and fro
+      if (turn_ == 0.0) {  // a turn keeps its side; in a corner it would oscillate otherwise
         turn_ = obstacle.y > 0.0 ? -kTurnRate : kTurnRate;
         time_left_ = random.uniform(0.5, 2.0);
       }
@@ -37,8 +38,8 @@ class ObstacleEscape {
   }
 
  private:
-  double turn_ = 0.0;       // rad/s, while it turns away from an obstacle
-  double time_left_ = 0.0;  // s of driving on after that
+  double turn_ = 0.0;       // rad/s, while the robot turns away from an obstacle
+  double time_left_ = 0.0;  // s of driving straight on after that
 };
 
 }  // namespace swarmanoid

@@ -1,6 +1,6 @@
-/// How a footbot gets its battery charged: when little is left it looks for a perch that shows that it is free, and
-/// stands beside it until the battery is full. While it stands there it shines, and whoever sees that leaves the perch
-/// alone. A robot that ran empty beside a perch stays there until it is full.
+/// How a footbot charges its battery: at a low charge it looks for a perch that shows that it is free, and stands
+/// beside it until the battery is full. Its LEDs shine while it stands there, and other robots keep away from that
+/// perch. A robot whose battery ran empty beside a perch stays there until it is full.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace swarmanoid {
 
 class PerchVisit {
  public:
-  /// Those that no parameter says.
+  /// Defaults of the colour parameters.
   struct Colors {
     Color free;
     Color taken;
@@ -39,14 +39,16 @@ class PerchVisit {
     charging_color_ = parameters.color("charging_color", usual.charging);
   }
 
-  /// Which must all be different, and from those of whatever else the robot knows (distinct_colors.hpp). @pre init
+  /// Colours that must differ from each other and from all others that the robot recognizes (distinct_colors.hpp). @pre
+  /// init
   std::vector<NamedColor> colors() const {
     return {{"free_color", free_color_}, {"taken_color", taken_color_}, {"charging_color", charging_color_}};
   }
 
   void reset() { memory_ = Memory{}; }
 
-  /// At the begin of each step. In the first one it finds out whether the robot stands beside a perch that charges it.
+  /// Called at the start of each step. The first call checks whether the robot already stands beside a perch that
+  /// charges it.
   void update(double dt) {
     dt_ = dt;
     if (memory_.has_looked) {
@@ -60,19 +62,19 @@ class PerchVisit {
     }
   }
 
-  /// Whether so little is left that the robot should begin a visit.
+  /// Whether the charge is low enough to begin a visit.
   bool isDue() const { return battery_->fraction() < memory_.limit; }
   void begin() { enter(State::kSeek); }
   bool isUnderWay() const { return memory_.state != State::kNone; }
 
-  /// While it is under way: drives the robot. It is over when the battery is full.
+  /// Drives the robot during a visit, which ends when the battery is full.
   void step() { memory_.state == State::kSeek ? seek() : charge(); }
 
  private:
   enum class State { kNone, kSeek, kCharge };
 
-  static constexpr double kBeside = 0.26;  // m from the perch: it is within reach, and its post not yet an obstacle
-  static constexpr double kTaken = 0.36;   // m: farther than the reach, by what the camera may err
+  static constexpr double kBeside = 0.26;  // m from the perch: within its reach, but its post is not an obstacle yet
+  static constexpr double kTaken = 0.36;   // m: the reach of a perch plus the error of the camera
 
   void enter(State state) {
     memory_.state = state;
@@ -84,14 +86,14 @@ class PerchVisit {
     }
   }
 
-  /// Robots that have the same left would all come at once.
+  /// The limit is random so that robots with equal charge do not all come at once.
   void chooseLimit() { memory_.limit = robot_->random().uniform(0.7, 1.0) * little_; }
 
   void seek() {
     const std::optional<Sighting> perch = nearestUnattended(free_color_);
     const std::optional<Sighting> taken = nearestUnattended(taken_color_);
     const bool has_arrived = perch && perch->distance() < kBeside;
-    if (has_arrived || (taken && taken->distance() < kTaken)) {  // or the perch has taken it on its way
+    if (has_arrived || (taken && taken->distance() < kTaken)) {  // or the perch began to charge the robot on its way
       return enter(State::kCharge);
     }
     if (!perch) {
@@ -102,7 +104,7 @@ class PerchVisit {
     }
   }
 
-  /// Whoever stands still needs little, and whoever keeps away is not in the way of others.
+  /// Standing still saves energy, and the distance keeps the way free for other robots.
   void waitForPerch() {
     constexpr double kRoom = 0.5;  // m
     const std::optional<Sighting> perch = nearestBlob(*camera_, taken_color_);
@@ -114,7 +116,7 @@ class PerchVisit {
     }
   }
 
-  /// A perch that charges shows that it is taken; else it has nothing left, or charges nobody.
+  /// A charging perch shows the colour of a taken one; otherwise it is empty, or charges no robot.
   void charge() {
     constexpr double kUnserved = 2.0;  // s
     wheels_->drive(0.0, 0.0);
@@ -129,7 +131,7 @@ class PerchVisit {
     }
   }
 
-  /// The nearest perch of a colour beside which no other robot shines.
+  /// The nearest perch of a colour without another robot's charging light beside it.
   std::optional<Sighting> nearestUnattended(Color color) const {
     constexpr double kAttended = 0.45;  // m from a robot's LED to the perch
     std::optional<Sighting> nearest;
@@ -158,20 +160,20 @@ class PerchVisit {
   const FootbotCamera* camera_ = nullptr;
   const Battery* battery_ = nullptr;
   double speed_ = 0.0;   // m/s
-  double little_ = 0.0;  // part of the capacity below which it looks for a perch, at most
-  double plenty_ = 0.0;  // part of it with which it leaves
+  double little_ = 0.0;  // maximum charge at which the robot looks for a perch, as a part of the capacity
+  double plenty_ = 0.0;  // charge at which it leaves, as a part of the capacity
   Color free_color_;
   Color taken_color_;
   Color charging_color_;
   double dt_ = 0.0;  // s
 
-  /// All that steps keep for later steps.
+  /// State that is kept between steps.
   struct Memory {
     State state = State::kNone;
-    bool has_looked = false;  // it has taken a step
-    double limit = 0.0;       // part of the capacity below which it looks for a perch
+    bool has_looked = false;  // the first step is over
+    double limit = 0.0;       // charge below which the robot looks for a perch, as a part of the capacity
     ObstacleEscape escape;
-    double time_unserved = 0.0;  // s beside a perch that does not show that it charges
+    double time_unserved = 0.0;  // s beside a perch that does not show the colour of a taken one
   };
   Memory memory_;
 };

@@ -1,6 +1,6 @@
-// Phototaxis: the robot turns towards where most light comes from and drives there. In the dark it stands still, and a
-// lamp straight above it is dark, since its sensors look to the sides. For footbots, and for any robot with a
-// differential drive, proximity sensors and light sensors.
+// Phototaxis: the robot turns towards the light and drives there. In the dark it stands still; a lamp straight above
+// counts as dark, because the sensors face sideways. For footbots, and for any robot with a differential drive,
+// proximity sensors and light sensors.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
@@ -18,8 +18,8 @@ class Phototaxis final : public Controller {
   }
 
   void step(Time, Duration) override {
-    constexpr double kDark = 1e-4;      // of the sum of readings as vectors
-    constexpr double kHalfField = 0.6;  // rad: who is beside does not hinder
+    constexpr double kDark = 1e-4;      // length of the sum of the readings as vectors
+    constexpr double kHalfField = 0.6;  // rad: robots beside do not block the way
     double x = 0.0;
     double y = 0.0;
     for (const LightReading& sensor : light_->sensors) {
@@ -29,7 +29,7 @@ class Phototaxis final : public Controller {
     if (std::hypot(x, y) < kDark) {
       return base_.drive(0.0, 0.0);
     }
-    // whoever is ahead goes to the same lamp, so waiting is enough: there is nobody to drive around
+    // robots ahead drive to the same lamp, so waiting is enough and no detour is needed
     const bool is_barred = base_.obstacles(kHalfField).length() > threshold_;
     steer(base_, std::atan2(y, x), is_barred ? 0.0 : speed_);
   }

@@ -1,7 +1,7 @@
 // Pattern formation by artificial physics, after Spears, Spears, Hamann and Heil, "Distributed, physics-based control
-// of swarms of vehicles", Autonomous Robots 17 (2004): forces between neighbours, which act as far as the next row of a
-// hexagonal grid and no farther, put robots on such a grid. Here the force is one of the Lennard-Jones kind. A prey,
-// which the camera sees from farther away, is one more point of the grid, and draws the robots together around it.
+// of swarms of vehicles", Autonomous Robots 17 (2004): forces between neighbours, limited to less than the distance of
+// the second row of a hexagonal grid, arrange robots on such a grid. Here the force is of the Lennard-Jones kind. A
+// prey, which the camera sees from farther away, acts as one more grid point, and the robots gather around it.
 #include <algorithm>
 #include <cmath>
 
@@ -34,17 +34,17 @@ class Predators final : public Controller {
   }
 
   void step(Time, Duration) override {
-    transmitter_->send({});  // an empty message: its neighbours measure where it comes from
+    transmitter_->send({});  // an empty message: neighbours measure its range and bearing
     drive(planarForceOfNeighbours(*received_, distance_, kReach * distance_) + forceOfPrey());
   }
 
  private:
-  /// In parts of the distance: between that to the first row of neighbours, 1, and that to the second, sqrt(3).
+  /// As a multiple of the distance: between the first row of neighbours, at 1, and the second, at sqrt(3).
   static constexpr double kReach = 1.5;
 
   static Eigen::Vector2d towards(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
 
-  /// Repels as a neighbour does; attracts less, but from as far as it is seen.
+  /// Repels like a neighbour; attracts less than one, but from any distance at which it is visible.
   Eigen::Vector2d forceOfPrey() const {
     const std::optional<Sighting> prey = nearestBlob(*camera_, prey_color_);
     if (!prey) {
@@ -54,9 +54,9 @@ class Predators final : public Controller {
     return (force > 0.0 ? appetite_ * force : force) * towards(prey->bearing());
   }
 
-  /// Drives along the force, ahead or backwards, the slower the weaker it is; it turns to it meanwhile.
+  /// Drives along the force, ahead or backwards, while turning towards it; the speed is proportional to a weak force.
   void drive(const Eigen::Vector2d& force) {
-    constexpr double kFull = 0.5;      // force from which on it is as fast as it can
+    constexpr double kFull = 0.5;      // force from which on the speed is maximal
     constexpr double kTurnGain = 1.5;  // 1/s
     const double strength = std::min(1.0, force.norm() / kFull);
     double bearing = force.isZero() ? 0.0 : std::atan2(force.y(), force.x());
@@ -71,7 +71,7 @@ class Predators final : public Controller {
   const FootbotCamera* camera_ = nullptr;
   double speed_ = 0.0;     // m/s
   double distance_ = 0.0;  // m, between neighbours, and to the prey
-  double appetite_ = 0.0;  // how strongly the prey attracts, in parts of the force between neighbours
+  double appetite_ = 0.0;  // attraction of the prey as a part of the force between neighbours
   Color prey_color_;
 };
 

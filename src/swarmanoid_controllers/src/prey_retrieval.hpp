@@ -1,6 +1,6 @@
-/// How a footbot forages alone: it wanders until it sees a prey that nobody holds, grips it, carries it to the nest,
-/// which it sees by its colour, lets go and turns away. While it holds a prey it shines blue, and whoever sees that
-/// leaves the prey alone.
+/// How a footbot forages alone: it wanders until it sees a free prey, grips it, carries it to the nest, which it
+/// recognizes by its colour, releases it and turns away. Its LEDs are blue while it holds a prey, and other robots
+/// ignore prey near that light.
 #pragma once
 
 #include "distinct_colors.hpp"
@@ -27,12 +27,13 @@ class PreyRetrieval {
     nest_color_ = parameters.color("nest_color", colors::kGreen);
   }
 
-  /// Which must all be different, and from those of whatever else the robot knows (distinct_colors.hpp). @pre init
+  /// Colours that must differ from each other and from all others that the robot recognizes (distinct_colors.hpp). @pre
+  /// init
   std::vector<NamedColor> colors() const {
     return {{"the light of whoever carries", kCarrying}, {"prey_color", prey_color_}, {"nest_color", nest_color_}};
   }
 
-  /// It holds nothing, and looks for a prey.
+  /// Starts to search for a prey, with empty gripper.
   void begin() {
     memory_ = Memory{};
     enter(State::kSearch);
@@ -61,8 +62,8 @@ class PreyRetrieval {
   static constexpr Color kCarrying = colors::kBlue;
   static constexpr double kFar = 1e3;         // m
   static constexpr double kTurnRate = 1.5;    // rad/s
-  static constexpr double kNearPrey = 0.4;    // m: from here on the prey itself is no obstacle
-  static constexpr double kPreyReach = 0.24;  // m from the robot's axis to that of a gripped prey, and a margin
+  static constexpr double kNearPrey = 0.4;    // m: below this distance the prey itself does not count as an obstacle
+  static constexpr double kPreyReach = 0.24;  // m from the robot's axis to the axis of a gripped prey, plus a margin
 
   static const char* nameOf(State state) {
     switch (state) {
@@ -84,7 +85,7 @@ class PreyRetrieval {
     memory_.state = state;
     memory_.turn_rate = turn_rate;
     if (state == State::kGrip || state == State::kCarry) {
-      // neighbours that are in each other's way for the same reason give up at different times
+      // neighbours that block each other give up at different times
       memory_.patience = robot_->random().uniform(3.0, 6.0);
     }
     gripper_->closed = state == State::kGrip || state == State::kCarry;
@@ -114,7 +115,7 @@ class PreyRetrieval {
   }
 
   void grip() {
-    constexpr double kApproach = 5.0;  // s that a robot takes which nobody hinders
+    constexpr double kApproach = 5.0;  // s, duration of an unhindered approach
     if (gripper_state_->gripping) {
       return enter(State::kCarry);
     }
@@ -126,10 +127,10 @@ class PreyRetrieval {
   }
 
   void carry() {
-    constexpr double kArrived = 0.25;  // m: the prey lies well within the nest
+    constexpr double kArrived = 0.25;  // m: the prey is well inside the nest
     constexpr int kMostJams = 2;
     if (!gripper_state_->gripping || holdsNoPrey()) {
-      return enter(State::kTurnAway);  // it was taken away
+      return enter(State::kTurnAway);  // the prey was taken away
     }
     const std::optional<Sighting> nest = nearestBlob(*camera_, nest_color_);
     if (nest && nest->distance() < kArrived) {
@@ -146,11 +147,11 @@ class PreyRetrieval {
     if (nest) {
       steer(*wheels_, nest->bearing(), 0.8 * speed_);
     } else {
-      wheels_->drive(0.5 * speed_, 0.5);  // whoever hides it moves on, or it does
+      wheels_->drive(0.5 * speed_, 0.5);  // the robot that hides the nest moves on, or this one does
     }
   }
 
-  /// Backs off from what it held, and turns to where it has not been.
+  /// Backs off from the object it held, then turns in a new direction.
   void turnAway() {
     constexpr double kBackwards = 1.0;  // s
     if (memory_.time_in_state <= kBackwards) {
@@ -166,8 +167,7 @@ class PreyRetrieval {
     wheels_->drive(0.0, kTurnRate);
   }
 
-  /// A gripper reports that it holds something, which may be a robot. @return whether for some time there was no prey
-  /// ahead
+  /// The gripper reports any gripped object, even a robot. @return whether no prey was seen ahead for some time
   bool holdsNoPrey() {
     constexpr double kAhead = 0.5;     // rad
     constexpr double kSurelyIn = 1.0;  // s
@@ -180,7 +180,8 @@ class PreyRetrieval {
     return memory_.time_without_prey > kSurelyIn;
   }
 
-  /// While the nest comes no nearer something is in the way: the robot backs off to a side of chance, and tries again.
+  /// No progress towards the nest means that an obstacle blocks the way: the robot backs off to a random side and tries
+  /// again.
   void noticeJam(double nest_distance) {
     constexpr double kNearer = 0.02;  // m
     constexpr double kDodge = 1.5;    // s
@@ -198,9 +199,9 @@ class PreyRetrieval {
     }
   }
 
-  /// The nearest prey that nobody who shines blue may hold.
+  /// The nearest prey without the blue light of a carrier near it.
   std::optional<Sighting> nearestFreePrey() const {
-    constexpr double kHeldWithin = 0.3;  // m from an LED of who holds it
+    constexpr double kHeldWithin = 0.3;  // m from an LED of its carrier
     std::optional<Sighting> nearest;
     for (const ColorBlob& blob : camera_->blobs) {
       const Sighting prey = sightingOf(blob);
@@ -218,11 +219,11 @@ class PreyRetrieval {
     return nearest;
   }
 
-  /// Turns away from obstacles ahead; a turn keeps its side, for a corner would turn it to and fro.
+  /// Turns away from obstacles ahead; a turn keeps its side, because in a corner it would oscillate otherwise.
   /// @return whether there was an obstacle
   bool avoidObstacle() {
     constexpr double kThreshold = 0.05;
-    constexpr double kHalfField = 1.5;  // rad: what is beside and behind does not count
+    constexpr double kHalfField = 1.5;  // rad: obstacles beside and behind the robot do not count
     const ObstacleVector obstacle(*proximity_, kHalfField);
     if (obstacle.length() <= kThreshold) {
       memory_.avoiding_turn = 0.0;
@@ -247,21 +248,21 @@ class PreyRetrieval {
   Color nest_color_;
   double dt_ = 0.0;  // s
 
-  /// All that steps keep for later steps; a new state clears it.
+  /// State that is kept between steps; entering a state clears it.
   struct Memory {
     State state = State::kSearch;
     double time_in_state = 0.0;      // s
     double patience = 0.0;           // s
-    double turn_rate = 0.0;          // rad/s, while wandering; kept from state to state
-    double avoiding_turn = 0.0;      // rad/s, while it turns away from an obstacle
-    double turn_left = 0.0;          // rad, of turning away
-    double time_without_prey = 0.0;  // s of holding something else
-    double time_barred = 0.0;        // s since it last came nearer to the nest
-    double best_distance = kFar;     // m to the nest, when this distance last changed
-    int jams = 0;                    // since it carries
+    double turn_rate = 0.0;          // rad/s, while wandering; kept across states
+    double avoiding_turn = 0.0;      // rad/s, while turning away from an obstacle
+    double turn_left = 0.0;          // rad that remain of turning away
+    double time_without_prey = 0.0;  // s of holding another object
+    double time_barred = 0.0;        // s without progress towards the nest
+    double best_distance = kFar;     // m to the nest, at the last progress
+    int jams = 0;                    // since it began to carry
     double dodge_left = 0.0;         // s
     double dodge_turn = 0.0;         // rad/s
-    double escape_left = 0.0;        // s of driving on after an obstacle
+    double escape_left = 0.0;        // s of driving straight on after an obstacle
   };
   Memory memory_;
 };

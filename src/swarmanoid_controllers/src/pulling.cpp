@@ -45,7 +45,7 @@ class Pulling final : public Controller {
   FootbotLeds* leds_ = nullptr;
   const FootbotGripperState* gripper_state_ = nullptr;
   double speed_ = 0.0;  // m/s
-  double start_ = 0.0;  // s after the run began, until all have gripped
+  double start_ = 0.0;  // s after the start of the run, by when all have gripped
 };
 
 }  // namespace swarmanoid

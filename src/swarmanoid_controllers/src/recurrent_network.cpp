@@ -1,5 +1,5 @@
-// A continuous-time recurrent neural network (Beer 1995): what it reads and commands, its size, its weights, biases and
-// time constants are parameters. See docs/reference/neural_controllers.md.
+// A continuous-time recurrent neural network (Beer 1995): its inputs, outputs, size, weights, biases and time constants
+// are parameters. See docs/reference/neural_controllers.md.
 #include "neural/recurrent_network.hpp"
 
 #include "neural/network_inputs.hpp"

@@ -7,8 +7,8 @@
 
 namespace swarmanoid {
 
-/// @param key the element's tag @param user what needs it, for the message: "the network"
-/// @throws ConfigError if there is none
+/// @param key the element's tag @param user of the element, for the message: "the network"
+/// @throws ConfigError if it is missing
 inline const Configuration& requiredSection(const Configuration& parameters, const std::string& key,
                                             const std::string& user) {
   const Configuration* found = parameters.find(key);

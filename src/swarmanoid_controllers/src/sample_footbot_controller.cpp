@@ -1,4 +1,4 @@
-// The controller of thesis 4.1.2: drives a circle. If it has proximity sensors it turns on the spot near obstacles.
+// The controller of thesis 4.1.2: drives a circle. With proximity sensors it also turns on the spot near obstacles.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 
@@ -26,8 +26,8 @@ class SampleFootbotController final : public Controller {
   }
 
  private:
-  /// Returns the distance of the nearest obstacle ahead, from the sensors' cubic response [m]; their range if there is
-  /// none.
+  /// Returns the distance of the nearest obstacle ahead, from the sensors' cubic response [m]; without one, their
+  /// range.
   double nearestDistance() const {
     constexpr double kRange = 0.1;
     constexpr std::size_t kAhead = 4;

@@ -1,5 +1,5 @@
-// An eyebot that knows two places by their colours: it flies from one to the other and back, and shows by its LEDs that
-// it lays a trail below, for footbots, which do not see so far. Where it sees neither it stays.
+// An eyebot that recognizes two places by their colours: it flies to and fro between them, and its LEDs show that it
+// lays a trail below, for footbots, which have a shorter view. It stays where it is while its goal is not in sight.
 #include <array>
 
 #include "blob_search.hpp"
@@ -55,10 +55,10 @@ class Scout final : public Controller {
   EyebotLeds* leds_ = nullptr;
   const EyebotCamera* camera_ = nullptr;
   double speed_ = 0.0;  // m/s
-  double there_ = 0.0;  // from the middle of a patch, m
+  double there_ = 0.0;  // m, distance from the middle of a patch at which it is reached
   std::array<Color, 2> goals_;
   Color color_;
-  std::size_t goal_ = 0;  // what is forgotten at a reset
+  std::size_t goal_ = 0;  // index; a reset clears it
 };
 
 }  // namespace swarmanoid

@@ -1,6 +1,6 @@
-// A footbot that finds its way by what others have left on the floor (stigmergy): it follows whatever is darker than
-// floor patches, and turns round on a patch. Where the trail has a gap it goes straight on, then looks for it on the
-// spot. Without a trail it wanders.
+// A footbot that finds its way by marks that others leave on the floor (stigmergy): it follows a trail, which is darker
+// than floor patches, and turns round on a patch. At a gap in the trail it goes straight on, then searches on the spot.
+// Without a trail it wanders.
 #include <cmath>
 
 #include "differential_drive.hpp"
@@ -50,11 +50,11 @@ class TrailFollowing final : public Controller {
   static constexpr double kTurnRate = 1.5;  // rad/s
   static constexpr double kNear = 0.15;     // of the sum of proximity readings
   static constexpr double kMargin = 0.05;   // of a reading
-  static constexpr double kLeaving = 6.0;   // s, from arriving on a patch, of which it turns for 2
-  static constexpr double kGap = 1.6;       // s, straight on, where a trail has a gap
-  static constexpr double kSearch = 6.0;    // s, for the gap and on the spot
+  static constexpr double kLeaving = 6.0;   // s after arrival on a patch; the turn takes 2 of them
+  static constexpr double kGap = 1.6;       // s of driving straight on at a gap in the trail
+  static constexpr double kSearch = 6.0;    // s, for the gap and the search on the spot
 
-  /// What is darker than a patch, among the four spots in front.
+  /// The part of the four spots in front that is darker than a patch.
   struct Trail {
     double darkness = 0.0;
     double side = 0.0;  // from -1, right, to 1, left
@@ -78,7 +78,7 @@ class TrailFollowing final : public Controller {
 
   bool isPatchAhead() const { return readsPatch(0) && readsPatch(FootbotGround::kCount - 1); }
 
-  /// Half of the spots read the patch, and none something brighter; the others may see a trail on it.
+  /// At least half of the spots read the patch, and none reads a brighter floor; the others may be over a trail.
   bool isOnPatch() const {
     std::size_t patch = 0;
     for (std::size_t i = 0; i < FootbotGround::kCount; ++i) {
@@ -90,7 +90,7 @@ class TrailFollowing final : public Controller {
     return patch >= FootbotGround::kCount / 2;
   }
 
-  /// Those who meet on a trail both keep to the right, and look for it on the left afterwards.
+  /// Robots that meet on a trail both keep to the right, and search for it on the left afterwards.
   void avoid(const ObstacleVector& obstacles) {
     constexpr double kRightmost = -0.4;  // rad
     const double side = obstacles.bearing() > kRightmost ? 1.0 : -1.0;
@@ -98,7 +98,7 @@ class TrailFollowing final : public Controller {
       memory_.lost_for = 0.0;
       memory_.side = side;
     }
-    memory_.turn_rate = -0.8 * side;  // of the arc that leads away, when it wanders on
+    memory_.turn_rate = -0.8 * side;  // of the arc that leads away, if it wanders next
     drive("Avoid", 0.3 * speed_, -kTurnRate * side);
   }
 
@@ -126,12 +126,12 @@ class TrailFollowing final : public Controller {
     robot_->debug("state", state);
   }
 
-  /// What is forgotten at a reset.
+  /// State that a reset clears.
   struct Memory {
     double turn_left = 0.0;    // s, on a patch
     double since_patch = 1e9;  // s
-    double lost_for = 1e9;     // s since there was a trail, or something in its way
-    double side = 1.0;         // on which the trail was last: 1 left, -1 right
+    double lost_for = 1e9;     // s since there was a trail or an obstacle on it
+    double side = 1.0;         // of the last trail: 1 left, -1 right
     double turn_rate = 0.0;    // rad/s, while it wanders
   };
 

@@ -1,4 +1,4 @@
-// The machine of behaviours: which transitions it takes and how often, what its behaviours command, what it refuses.
+// The behaviour machine: frequency of its transitions, commands of its behaviours, and rejected parameters.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ Configuration machineOf(const std::vector<Configuration>& states, const std::vec
   return element("parameters", {element("states", states), element("transitions", transitions)});
 }
 
-/// How often of 4000 steps a transition with that condition is taken.
+/// Share of 4000 steps in which a transition with that condition is taken.
 double shareTaken(const std::string& condition, const std::vector<Configuration>& more, const Surroundings& around) {
   Machine machine(machineOf({state("stay", "stop")}, {transition("go", "stay", "stay", condition, more)}));
   RandomStream random(1, 2);
@@ -101,7 +101,7 @@ TEST(MachineTest, WhatIsWrongIsRefused) {
   EXPECT_NE(refusal(machineOf({stop}, {transition("t", "a", "a", "always", {value("probability", "1.1")})})), "");
 }
 
-/// A robot with two wheels of which the test says what it senses.
+/// A robot with two wheels whose readings the test sets.
 class Forager {
  public:
   explicit Forager(const Configuration& parameters) {
@@ -161,7 +161,7 @@ TEST(BehaviourMachineTest, PhototaxisTurnsToTheLightAndAwayFromWhatIsNear) {
   forager.lights[0].value = 0.2F;
   forager.step();
   EXPECT_NEAR(forager.drive.turn_rate, 2.0 * 0.5, 1e-6) << "2/s times the bearing of the light";
-  // the light's vector of length 1 at 0.5, less five times 0.1 at 0.5: half of it is left; 0.3: it turns round
+  // unit vector to the light at 0.5, minus five times 0.1 at 0.5: half of it remains; with 0.3 it turns round
   forager.obstacles[0].value = 0.1F;
   forager.step();
   EXPECT_NEAR(forager.drive.turn_rate, 2.0 * 0.5, 1e-6);

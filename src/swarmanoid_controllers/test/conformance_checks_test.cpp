@@ -1,4 +1,4 @@
-// Which checks the conformance test does on a robot, and in which order.
+// Selection and order of the checks that the conformance test runs on a robot.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -165,7 +165,7 @@ TEST(ConformanceChecks, ALidarMeasuresTheWallOnTheRight) {
   std::vector<LidarBeam> beams(36);
   auto& lidar = *static_cast<Lidar*>(robot.values[0].get());
   lidar.beams = beams;
-  /// @param bearing of the wall, 0.74 m away
+  /// @param bearing of the wall, which is 0.74 m away
   const auto failureWithWallTo = [&](double bearing) {
     for (std::size_t i = 0; i < beams.size(); ++i) {
       const double angle = (-180.0 + 10.0 * static_cast<double>(i)) * M_PI / 180.0;
@@ -180,7 +180,7 @@ TEST(ConformanceChecks, ALidarMeasuresTheWallOnTheRight) {
   EXPECT_EQ("", failureWithWallTo(-M_PI / 2.0));
   EXPECT_EQ(0U, failureWithWallTo(M_PI / 2.0)
                     .find("way from beam 7 to the wall: inf m, expected 0.520 m +- 0.280 m; way from beam 8 to "));
-  lidar.beams = Span<const LidarBeam>(beams.data() + 18, 18);  // only those to the left
+  lidar.beams = Span<const LidarBeam>(beams.data() + 18, 18);  // only the beams to the left
   EXPECT_EQ("not true: some beam looks to the right", failureWithWallTo(M_PI / 2.0));
 }
 

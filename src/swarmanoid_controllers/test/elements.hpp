@@ -1,4 +1,4 @@
-/// Elements of configurations, as tests write them.
+/// Builds configuration elements for tests.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace swarmanoid::test {
 
-/// An element with others in it.
+/// An element with children.
 inline Configuration element(const std::string& name, const std::vector<Configuration>& children) {
   Configuration result(name, "", {"file.xml", 7});
   for (const Configuration& child : children) {
@@ -17,12 +17,12 @@ inline Configuration element(const std::string& name, const std::vector<Configur
   return result;
 }
 
-/// An element, or an attribute, with a text.
+/// An element or attribute with text.
 inline Configuration value(const std::string& name, const std::string& text = "") {
   return {name, text, {"file.xml", 8}};
 }
 
-/// What a call says that refuses its input; "" if it does not.
+/// Message of the ConfigError that a call throws; "" if it throws none.
 template <class Call>
 std::string refusalOf(Call call) {
   try {

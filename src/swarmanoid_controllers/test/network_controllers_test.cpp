@@ -1,4 +1,4 @@
-// The controllers of networks, with devices that the test holds: parameters, commands, and the heap in a step.
+// Controllers of networks, with devices that the test owns: parameters, commands, and allocations in a step.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ using test::value;
 
 constexpr auto kTick = std::chrono::milliseconds(100);
 
-/// A robot with two light sensors and two wheels: a vehicle of Braitenberg's.
+/// A robot with two light sensors and two wheels: a Braitenberg vehicle.
 class Vehicle {
  public:
   Vehicle() {

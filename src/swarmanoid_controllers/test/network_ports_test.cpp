@@ -1,4 +1,5 @@
-// What networks read from devices and write into them: found by name in the descriptors, and scaled by their ranges.
+// Fields that networks read from devices and write to them: found by name in the descriptors, and scaled by their
+// ranges.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +22,7 @@ using test::element;
 using test::refusalOf;
 using test::value;
 
-/// A device that no library of the suite knows.
+/// A device type that is unknown to the libraries of the suite.
 struct Nose {
   static constexpr const char* kType = "nose_of_a_test";
   enum class Mode : std::uint8_t { kSniff, kRest };
@@ -90,7 +91,7 @@ TEST_F(NetworkPortsTest, ArraysAreReadWholeOrAsMeansOfGroups) {
   EXPECT_EQ(all[5], 5.0 / 32.0);
   const std::vector<double> groups = read({element("footbot_proximity", {element("value", {value("groups", "8")})})});
   ASSERT_EQ(groups.size(), 8U);
-  EXPECT_EQ(groups[1], 4.0 / 32.0);  // of 3, 4 and 5
+  EXPECT_EQ(groups[1], 4.0 / 32.0);  // mean over readings 3, 4 and 5
   EXPECT_EQ(read({element("footbot_proximity", {element("value", {value("count", "2")})})}),
             (std::vector<double>{0.0, 1.0 / 32.0}));
 }

@@ -1,4 +1,4 @@
-// Networks against what is computed by hand, or known in closed form.
+// Networks compared with computations by hand, or with closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +55,7 @@ TEST(RecurrentNetworkTest, OneNeuronDecaysTowardsItsInputAsTheEquationSays) {
     ASSERT_NEAR(network.states()[0], y, 1e-14) << "t = " << t;
     ASSERT_NEAR(network.outputs()[0], 1.0 / (1.0 + std::exp(-y - 0.3)), 1e-14);
   }
-  network.inputs() = {0.0};  // and back, from where it is
+  network.inputs() = {0.0};  // decay from the current state
   const double from = network.states()[0];
   network.advance(0.35);
   EXPECT_NEAR(network.states()[0], from * std::exp(-0.5), 1e-14);
@@ -66,7 +66,7 @@ TEST(RecurrentNetworkTest, ANeuronThatExcitesItselfRestsWhereTheEquationDoes) {
   for (const double input : {0.0, 2.0, -2.0}) {
     network.inputs() = {input};
     for (int k = 0; k < 500; ++k) {
-      network.advance(0.1);  // twice its time constant, where Euler's method is at its limit
+      network.advance(0.1);  // twice its time constant, the stability limit of Euler's method
     }
     const double y = network.states()[0];
     EXPECT_NEAR(y, input + 6.0 / (1.0 + std::exp(3.0 - y)), 1e-12);
@@ -74,7 +74,7 @@ TEST(RecurrentNetworkTest, ANeuronThatExcitesItselfRestsWhereTheEquationDoes) {
 }
 
 TEST(RecurrentNetworkTest, TwoNeuronsConvergeToTheirEquationWithTheStep) {
-  // an oscillator of Beer's (1995): weights 4.5, 1, -1, 4.5, biases -2.75, -1.75
+  // an oscillator of Beer (1995): weights 4.5, 1, -1, 4.5, biases -2.75, -1.75
   const auto after = [](int steps) {
     RecurrentNetwork network(0, 2, {4.5, 1.0, -1.0, 4.5}, {-2.75, -1.75}, {1.0, 1.0});
     for (int k = 0; k < steps; ++k) {

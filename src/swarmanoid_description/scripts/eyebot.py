@@ -11,10 +11,10 @@ LED_COUNT = 16
 LED_HEIGHT = 0.2
 RANGE_AND_BEARING_HEIGHT = 0.22  # in the hub, over its LEDs
 DISTANCE_COUNT = 16  # infrared sensors around the body
-DISTANCE_HEIGHT = 0.29  # half way up the ducts
-LIGHT_COUNT = 24  # light sensors at the same height, as many as the eye-bot of ARGoS has
+DISTANCE_HEIGHT = 0.29  # at half the height of the ducts
+LIGHT_COUNT = 24  # light sensors at the same height; same number as the eye-bot of ARGoS
 OMNIDIRECTIONAL_CAMERA_HEIGHT = 0.42  # on the mast, over the rotors
-PAN_TILT_CAMERA = (0.085, 0, 0.17)  # ahead of the hub, under its LEDs; drawn as it stands at rest
+PAN_TILT_CAMERA = (0.085, 0, 0.17)  # ahead of the hub, under its LEDs; drawn in its rest position
 DUCT_RADIUS = 0.1
 DUCT_BOTTOM, DUCT_TOP = 0.24, 0.34
 DUCT_WALL = 0.006
@@ -33,7 +33,7 @@ MATERIALS = {
     "milky": (0.95, 0.95, 1, 0.75),
     "blur": (0.5, 0.55, 0.6, 0.3),
 }
-DOWN = (0, math.pi / 2, 0)  # x axis, the direction that a device looks in, straight down
+DOWN = (0, math.pi / 2, 0)  # the x axis, in which devices look, points straight down
 UP = (0, -math.pi / 2, 0)
 
 

@@ -17,7 +17,7 @@ RIM_SPEED = 0.3  # [m/s]
 GRIPPER_TIP = 0.11
 GRIPPER_HEIGHT = 0.05  # half the height of a prey
 TURRET_SPEED = 3.0  # [rad/s]: half a turn in a second
-TURRET_TORQUE = 2.0  # [N m]: more than the 1.1 to 1.5 N m with which treels that stand still hold the chassis
+TURRET_TORQUE = 2.0  # [N m]: above the 1.1 to 1.5 N m at which the friction of resting treels holds the chassis
 PROXIMITY_COUNT = 24
 PROXIMITY_HEIGHT = 0.06
 GROUND_COUNT = 8
@@ -31,8 +31,8 @@ MICROPHONE_COUNT = 4
 MICROPHONE_RADIUS = 0.07
 RFID_HEIGHT = 0.01  # of the antenna, at the bottom of the body
 FRONT_CAMERA = (0.08, 0, 0.09)  # over the gripper
-RANGE_AND_BEARING_HEIGHT = 0.13  # under the top of the body, so that footbots hide each other
-SCANNER_HEIGHT = 0.13  # likewise: the beams see other footbots
+RANGE_AND_BEARING_HEIGHT = 0.13  # below the top of the body, so that footbots occlude each other
+SCANNER_HEIGHT = 0.13  # below the top of the body, so that beams hit other footbots
 
 ROLLED = (math.pi / 2, 0, 0)  # turns a cylinder's axis from z to y
 MATERIALS = {
@@ -47,14 +47,15 @@ MATERIALS = {
 
 
 def ring(count, radius, height):
-    """Places on a circle, the first ahead, then counter-clockwise; each with its angle in (-pi, pi]."""
+    """Yields index, position and orientation of places on a circle, the first ahead, then counter-clockwise; angles are in
+    (-pi, pi]."""
     for i in range(count):
         angle = 2 * math.pi * (i if i <= count // 2 else i - count) / count
         yield i, (radius * math.cos(angle), radius * math.sin(angle), height), (0, 0, angle)
 
 
 def treel(side):
-    """The track around a wheel: two rollers and what lies between them."""
+    """The track around a wheel: two rollers and the box between them."""
     y = side * 0.063
     rollers = [cylinder(0.022, 0.02, (x, y, 0.024), "black", ROLLED) for x in (-0.028, 0.028)]
     return rollers + [box((0.056, 0.02, 0.044), (0, y, 0.024), "black")]
@@ -77,13 +78,13 @@ def body_visuals():
 
 
 def body_collisions():
-    """Figure 3.9a: the body and two wheels. The wheels stand upright, as planar engines want them."""
+    """Figure 3.9a: the body and two wheels. The wheels are upright cylinders, as planar engines require."""
     wheels = [disc(0.018, 0, 2 * WHEEL_RADIUS, xy=(0, side * WHEEL_SEPARATION / 2)) for side in (1, -1)]
     return [disc(RADIUS, 0.01, HEIGHT), *wheels]
 
 
 def add_turret(robot):
-    """The ring that carries the gripper and turns against the chassis. What it weighs is part of the body's mass."""
+    """The ring that carries the gripper and turns against the chassis. Its mass is part of the body's mass."""
     gripper = box((0.04, 0.04, 0.03), (GRIPPER_TIP - 0.02, 0, 0), "orange")
     robot.link("turret", xyz=(0, 0, GRIPPER_HEIGHT), joint="turret", kind="continuous", axis=(0, 0, 1),
                limit=f'effort="{number(TURRET_TORQUE)}" velocity="{number(TURRET_SPEED)}"',
@@ -92,7 +93,7 @@ def add_turret(robot):
 
 
 def add_ground_sensors(robot):
-    """Spots that look down: a ring around the body, the first on the left of ahead, and four between the wheels."""
+    """Sensors that look down: a ring around the body, which starts half a step to the left, and four between the wheels."""
     step = 2 * math.pi / GROUND_COUNT
     angles = [(i + 0.5) * step for i in range(GROUND_COUNT)]
     ring_places = [(GROUND_RADIUS * math.cos(angle), GROUND_RADIUS * math.sin(angle)) for angle in angles]
@@ -123,7 +124,7 @@ def make():
     for i, xyz, rpy in ring(MICROPHONE_COUNT, MICROPHONE_RADIUS, HEIGHT):
         robot.link(f"microphone_{i}", xyz=xyz, rpy=rpy)
     robot.link("rfid_antenna", xyz=(0, 0, RFID_HEIGHT))
-    robot.link("scanner", xyz=(0, 0, SCANNER_HEIGHT))  # the axis of its head, which only the scanner itself turns
+    robot.link("scanner", xyz=(0, 0, SCANNER_HEIGHT))  # axis of its head; the scanner device computes the rotation
     add_turret(robot)
     robot.link("gripping_strip", xyz=(0, 0, GRIPPER_HEIGHT), collisions=[cylinder(RADIUS, 0.012)])
     robot.can("wheels", left="left_wheel", right="right_wheel")

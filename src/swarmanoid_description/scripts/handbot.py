@@ -5,14 +5,14 @@ from footbot import ring
 from urdf_writer import Robot, box, cylinder, disc, sphere
 
 LENGTH, WIDTH, HEIGHT = 0.41, 0.29, 0.29  # with the arms stretched ahead
-BODY_LENGTH = 0.3  # without them, from the tail on
+BODY_LENGTH = 0.3  # without arms, from the tail
 BODY_MASS = 2.1
 CONSUMPTION = {"handbot_arms": 2, "handbot_hands": 0.6, "handbot_rope": 1, "handbot_camera": 1, "handbot_distance": 0.12,
                "handbot_proximity": 0.02, "loudspeaker": 0.2, "wifi": 0.8, "bluetooth": 0.1}  # W, docs/reference/battery.md
 UPPER_ARM_MASS, FOREARM_MASS, HAND_MASS = 0.15, 0.1, 0.15  # together with the body 2.9 kg
-STRIP_RADIUS = WIDTH / 2  # footbots that come from the sides meet the strip and the body at once
+STRIP_RADIUS = WIDTH / 2  # footbots from the sides touch strip and body at once
 ROPE_LENGTH = 3  # on the winch [m]
-STRIP_HEIGHT = 0.05  # of the footbots' grippers
+STRIP_HEIGHT = 0.05  # height of the footbots' grippers
 DISTANCE_COUNT = 12  # infrared sensors around the body
 DISTANCE_HEIGHT = 0.07  # just over the strip
 RANGE_AND_BEARING_HEIGHT = 0.205  # on the carapace
@@ -20,7 +20,7 @@ LED_COUNT = 12
 LED_RADIUS, LED_HEIGHT = 0.05, 0.205  # on the carapace, around the rope launcher
 
 FORWARD = (0, math.pi / 2, 0)  # turns a cylinder's axis from z to x
-UP = (0, -math.pi / 2, 0)  # x axis, the direction that a device points in, straight up
+UP = (0, -math.pi / 2, 0)  # the x axis, in which devices point, points straight up
 MATERIALS = {
     "black": (0.08, 0.08, 0.09, 1),
     "dark_grey": (0.25, 0.26, 0.28, 1),
@@ -70,7 +70,7 @@ def arm(robot, name, side):
     robot.link(f"{name}_hand", f"{name}_forearm", (0.045, 0, 0), joint=f"{name}_wrist", kind="revolute",
                axis=(1, 0, 0), limit=limit(-3.14, 3.14), mass=HAND_MASS, inertia=palm,
                visuals=[palm, *fingers], collisions=[box((0.058, 0.055, 0.03), (0.029, 0, 0))])
-    robot.link(f"{name}_suction", f"{name}_hand", (0.06, 0, 0))  # where the cups hold; x axis away from the hand
+    robot.link(f"{name}_suction", f"{name}_hand", (0.06, 0, 0))  # contact point of the cups; x axis away from the hand
     for i, y in enumerate((0.018, -0.018)):
         cup = cylinder(0.011, 0.008, (-0.004, 0, 0), "rubber", FORWARD)
         robot.link(f"{name}_cup_{i}", f"{name}_hand", (0.06, y, 0), visuals=[cup])

@@ -8,7 +8,7 @@ ORIGIN = (0.0, 0.0, 0.0)
 
 
 def number(value):
-    """Ten digits after the point: exact enough for geometry, and free of the noise of sines and cosines."""
+    """Formats with ten decimals: exact enough for geometry, and free of rounding noise of sines and cosines."""
     text = f"{value:.10f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
 
@@ -66,7 +66,7 @@ def sphere(radius, xyz=ORIGIN, material=""):
 
 
 class Robot:
-    """A robot whose root is an empty link `base_link`: kinematic libraries want no inertia in a root."""
+    """A robot whose root is an empty link `base_link`: kinematic libraries do not support inertia in a root."""
 
     def __init__(self, name, summary, materials):
         self.name = name
@@ -80,7 +80,7 @@ class Robot:
 
     def link(self, name, parent="base_link", xyz=ORIGIN, rpy=ORIGIN, joint=None, kind="fixed", axis=None, limit="",
              visuals=(), collisions=(), mass=0.0, inertia=None):
-        """Adds a link and the joint that holds it; `inertia` is the solid whose inertia the link has."""
+        """Adds a link and its parent joint; `inertia` is the solid that defines the link's inertia."""
         elements = [inertia.inertial(mass)] if inertia else []
         elements += [shape.visual() for shape in visuals]
         elements += [shape.collision() for shape in collisions]
@@ -101,7 +101,7 @@ class Robot:
         self.link(name + "_optical", parent=name, rpy=(-math.pi / 2, 0, -math.pi / 2))
 
     def can(self, element, **attributes):
-        """Adds to what the robot says to the suite: a mechanism, its LEDs."""
+        """Adds an element to <swarmanoid>, which describes mechanisms and LEDs to the suite."""
         values = "".join(f' {name}="{value}"' for name, value in attributes.items())
         self.abilities.append(f"    <{element}{values}/>")
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Opens rviz on a space, running or played from a bag: waits for its floor, and has the camera take all of it in.
+"""Opens rviz on a space, running or played from a bag: waits for its floor, and fits the camera to the whole arena.
 
     view.py [--layout FILE] [--topics /space]"""
 
@@ -17,18 +17,18 @@ import yaml
 from visualization_msgs.msg import Marker, MarkerArray
 
 PATIENCE = 3.0  # [s]
-FIELD_OF_VIEW = 0.785  # upright, of the layout's camera unless it says otherwise [rad]
-ASPECT = 1.5  # width by height of the narrowest picture that the view is made for: a window on a small display, with docks
-FILLED = 0.95  # how far from the middle of the picture to its borders the space reaches ...
-FILLED_ABOVE = 0.82  # ... and to the upper one: labels of those who are at the far side stand above it
-NEAR = 0.003  # by the distance: what is nearer than this is cut off. Were it less, thin things would flicker far away
+FIELD_OF_VIEW = 0.785  # vertical, default of the layout's camera [rad]
+ASPECT = 1.5  # width by height of the narrowest supported picture: a window on a small display, with docks
+FILLED = 0.95  # extent of the space, as a fraction of the way from the centre of the picture to its borders ...
+FILLED_ABOVE = 0.82  # ... and to the upper border: labels of entities at the far side need space above it
+NEAR = 0.003  # near clip plane, as a fraction of the distance; if smaller, thin shapes far away would flicker
 OURS = "swarmanoid_rviz"
 LABELS = "labels"
 LABEL_LINES = "label_lines"  # each from a robot's top to its label
 
 
 def reach(orientation, half):
-    """How far a box of these half lengths reaches from its middle along x, y and z, however it is turned [m]."""
+    """Half lengths of the axis-aligned bounding box of a rotated box with these half lengths [m]."""
     x, y, z, w = orientation.x, orientation.y, orientation.z, orientation.w
     rows = ((1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
             (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
@@ -37,7 +37,7 @@ def reach(orientation, half):
 
 
 def corners_of(marker):
-    """Points of the world [m] between which a marker lies."""
+    """Points that span the bounding box of a marker, in W [m]."""
     if marker.points:
         return [(point.x, point.y, point.z) for point in marker.points[::2 if marker.ns == LABEL_LINES else 1]]
     place = (marker.pose.position.x, marker.pose.position.y, marker.pose.position.z)
@@ -46,8 +46,8 @@ def corners_of(marker):
 
 
 def extent(markers, frame="world"):
-    """Lowest and highest corner [m] of the box that holds floor, terrain and all that is shown, but labels; None without a
-    floor."""
+    """Lowest and highest corner [m] of the bounding box of floor, terrain and all other markers except labels; None without
+    floor or terrain."""
     shown = [marker for marker in markers if marker.action == Marker.ADD and marker.header.frame_id == frame
              and marker.ns != LABELS]
     if not any(marker.ns in ("floor", "terrain") for marker in shown):
@@ -57,7 +57,7 @@ def extent(markers, frame="world"):
 
 
 def axes(pitch, yaw):
-    """Where the camera looks, and what is right and up in its picture."""
+    """@return unit vectors forward, right and up of the camera, in W"""
     forward = (-math.cos(yaw) * math.cos(pitch), -math.sin(yaw) * math.cos(pitch), -math.sin(pitch))
     right = (-math.sin(yaw), math.cos(yaw), 0.0)
     up = (-math.cos(yaw) * math.sin(pitch), -math.sin(yaw) * math.sin(pitch), math.cos(pitch))
@@ -69,10 +69,10 @@ def dot(a, b):
 
 
 def camera(low, high, pitch, yaw, field_of_view):
-    """Focal point on the floor, and distance from it [m], of a camera that has the whole box in its picture.
+    """Focal point on the floor, and distance from it [m], of a camera that sees the whole box.
 
-    A point that is p away from the focal point, in the picture's plane, and d behind it is in the picture if
-    p <= slope * (distance + d): each corner asks for a distance on each of the four sides."""
+    A point at distance p from the focal point in the picture's plane, and d behind that plane, is in the picture if
+    p <= slope * (distance + d), so each corner requires a distance on each of the four sides."""
     forward, right, up = axes(pitch, yaw)
     middle = [0.5 * (a + b) for a, b in zip(low, high)]
     slope_up, slope_down = (filled * math.tan(0.5 * field_of_view) for filled in (FILLED_ABOVE, FILLED))
@@ -81,10 +81,10 @@ def camera(low, high, pitch, yaw, field_of_view):
     above = max(dot(offset, up) / slope_up - dot(offset, forward) for offset in offsets)
     below = max(-dot(offset, up) / slope_down - dot(offset, forward) for offset in offsets)
     aside = max(abs(dot(offset, right)) / slope_aside - dot(offset, forward) for offset in offsets)
-    shift = (above - below) / (1.0 / slope_up + 1.0 / slope_down)  # of the picture upwards, until both ask for the same
+    shift = (above - below) / (1.0 / slope_up + 1.0 / slope_down)  # of the picture upwards, so that both require the same distance
     focus = [a + shift * b for a, b in zip(middle, up)]
     distance = max(above - shift / slope_up, aside)
-    further = -focus[2] / forward[2]  # the same camera, but it turns about a point on the floor
+    further = -focus[2] / forward[2]  # same view, with the focal point on the floor
     return [a + further * b for a, b in zip(focus, forward)], distance + further
 
 
@@ -101,14 +101,14 @@ def plugin_of(part):
 
 
 def has_library(package):
-    """Whether it is built: those that need what rviz is built with are not, where that is missing."""
+    """Whether the package's library is built; packages that depend on rviz are skipped where rviz is missing."""
     folders = os.environ.get("CMAKE_PREFIX_PATH", "").split(":")
     return any((pathlib.Path(folder) / f"lib/lib{package}.so").exists() for folder in folders)
 
 
 def address(layout, space):
-    """Our own panels and tools speak to this space, unless the layout names another one; without their library they are left out,
-    for rviz would show an error."""
+    """Connects our panels and tools to this space, unless the layout names another one. Without their library they are removed,
+    since rviz would show an error."""
     manager = layout["Visualization Manager"]
     for owner, parts in ((layout, "Panels"), (manager, "Tools")):
         owner[parts] = [part for part in owner.get(parts) or [] if plugin_of(part) != OURS or has_library(OURS)]
@@ -118,12 +118,12 @@ def address(layout, space):
 
 
 def camera_places(experiment):
-    """The viewpoints that an experiment file gives its <opengl_render> (thesis 4.2), as saved views of rviz. Units as there: m,
-    degrees. One at the origin stands for the whole arena, which the view shows anyway."""
+    """The viewpoints of <opengl_render> in an experiment file (thesis 4.2), as saved views of rviz. The file has metres and
+    degrees. A viewpoint at the origin means the default view of the whole arena and is skipped."""
     try:
         root = xml.etree.ElementTree.parse(experiment).getroot()
     except (OSError, xml.etree.ElementTree.ParseError):
-        return []  # on another computer
+        return []  # for example if the run is on another computer
     given = {tag.tag: tag.text for tag in root.iterfind(".//opengl_render/*")}
     views = []
     for number in range(10):
@@ -132,7 +132,7 @@ def camera_places(experiment):
             position, angles = ([float(word) for word in text.split(",")] for text in (texts[0] or "", texts[1] or "0, 0, 0"))
             heading, pitch, roll = (math.radians(angle) for angle in angles)
         except ValueError:
-            continue  # not given, or of a library of somebody else's, which may mean something else by it
+            continue  # missing, or of another library's <opengl_render> with another meaning
         if any(position):
             views.append({"Class": "rviz/FPS", "Name": f"camera {number}", "Target Frame": "world", "Near Clip Distance": 0.01,
                           "Position": dict(zip("XYZ", position)), "Yaw": heading, "Pitch": -pitch, "Roll": roll})
@@ -140,7 +140,7 @@ def camera_places(experiment):
 
 
 def save_views(layout, views):
-    """Adds those whose names the layout does not have."""
+    """Adds the views whose names are not in the layout."""
     places = layout["Visualization Manager"]["Views"]
     saved = places.get("Saved") or []
     names = {view.get("Name") for view in saved}
@@ -148,7 +148,7 @@ def save_views(layout, views):
 
 
 def floor_markers(topics):
-    """All that does not move; a space's first message may be about another run."""
+    """Waits for the static markers with a floor; a space's first message may belong to another run."""
     while True:
         markers = rospy.wait_for_message(topics + "/markers_static", MarkerArray).markers
         if extent(markers) is not None:
@@ -169,10 +169,10 @@ def main():
     parser.add_argument("--topics", default="/space", help="the space's name")
     arguments, remappings = parser.parse_known_args()
     layout = yaml.safe_load(arguments.layout.read_text())
-    rospy.init_node("view", disable_rostime=True)  # time may stand still
+    rospy.init_node("view", disable_rostime=True)  # simulated time may be paused
     address(layout, arguments.topics)
     fit(layout, *extent(floor_markers(arguments.topics) + moving_markers(arguments.topics)))
-    save_views(layout, camera_places(rospy.get_param(arguments.topics + "/experiment", "")))  # once the space is there
+    save_views(layout, camera_places(rospy.get_param(arguments.topics + "/experiment", "")))  # set once the space runs
     rospy.signal_shutdown("rviz takes over")
     file = pathlib.Path(tempfile.mkdtemp(prefix="swarmanoid_view_")) / "space.rviz"
     file.write_text(yaml.safe_dump(layout))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Each robot's URDF is clean, and is what the generator writes."""
+"""Each robot's URDF is valid and equals the generator's output."""
 import pathlib
 import subprocess
 import sys
@@ -14,7 +14,7 @@ def run(*command):
 
 class UrdfTest(unittest.TestCase):
     def expect_clean(self, robot):
-        # check_urdf ends with 0 for many errors that it prints
+        # check_urdf prints many errors but exits with 0
         result = run("check_urdf", str(PACKAGE / "urdf" / f"{robot}.urdf"))
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertEqual(result.stderr, "")

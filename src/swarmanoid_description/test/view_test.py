@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The view fits the arena: all of it in sight, in a window that fits a small display and has the usual panels."""
+"""The view shows the whole arena, in a window that fits a small display and has the usual panels."""
 
 import importlib.util
 import itertools
@@ -49,8 +49,8 @@ class ViewTest(unittest.TestCase):
         return fitted["Visualization Manager"]["Views"]["Current"]
 
     def picture(self, camera, low, high, aspect):
-        """Where the box's corners are in the picture, whose borders are at -1 and 1: rviz's orbiting camera, from its own
-        description."""
+        """Positions of the box's corners in the picture, whose borders are at -1 and 1, for rviz's orbit camera as rviz
+        documents it."""
         focus = [camera["Focal Point"][axis] for axis in "XYZ"]
         pitch, yaw = camera["Pitch"], camera["Yaw"]
         direction = [math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)]
@@ -76,7 +76,7 @@ class ViewTest(unittest.TestCase):
                 bottom, top = min(y for _, y in places), max(y for _, y in places)
                 self.assertGreater(min(left, bottom), -0.97)
                 self.assertLess(right, 0.97)
-                self.assertLess(top, 0.85)  # labels stand above
+                self.assertLess(top, 0.85)  # labels need space above
                 self.assertTrue(right > 0.9 or (bottom < -0.9 and top > 0.8))
 
     def test_the_camera_turns_about_a_point_of_the_floor(self):
@@ -181,7 +181,7 @@ class LayoutTest(unittest.TestCase):
         self.assertLess(int.from_bytes(docks[17:21], "big"), 0.3 * SMALL_DISPLAY[0])
 
     def test_the_grid_is_the_arenas_own(self):
-        """rviz's is always square."""
+        """rviz's own grid is always square."""
         self.assertNotIn("rviz/Grid", [display["Class"] for display in layout()["Visualization Manager"]["Displays"]])
 
 

@@ -38,12 +38,12 @@ class Finder {
     shades_.begin(model, space_.joints[row]);
     LedSet seen = lit & ~shades_.hidden(eye, lit);
     seen &= ~obstacles_.hidden(points, seen, row);
-    // what has no body is a lamp
+    // entities without shapes are lamps
     const double radius = model.is_robot || model.shapes.empty() ? ColorBlob::kPointRadius : model.horizontal_radius;
     visitLeds(seen, [&](std::size_t k) { note(points[k], colorOf(model, row, k), radius); });
   }
 
-  /// @return whether the point is in sight
+  /// @return whether the point is visible
   bool look(const Eigen::Vector3d& point, Color color, double radius) {
     if (!view_.inView(point) || obstacles_.hides(point, kNoRow)) {
       return false;
@@ -81,7 +81,7 @@ class Finder {
   std::vector<Sighting>& found_;
 };
 
-/// Half across; of a rectangle, along its longer side [m].
+/// Half the width; for a rectangle half the longer side [m].
 double radiusOf(const FloorPatch& patch) { return patch.radius > 0.0 ? patch.radius : 0.5 * patch.size.maxCoeff(); }
 
 }  // namespace
@@ -100,7 +100,7 @@ bool BlobView::inView(const Eigen::Vector3d& point) const {
 
 LedSet BlobView::inView(const LedPoints& points, const LedSet& asked) const {
   LedPoints::Column horizontal;
-  for (std::size_t k = 0; k < points.count; ++k) {  // without branches: compilers make it one over several LEDs
+  for (std::size_t k = 0; k < points.count; ++k) {  // without branches, so that compilers vectorise it
     const double x = points.x[k] - eye.position.x();
     const double y = points.y[k] - eye.position.y();
     horizontal[k] = std::sqrt(x * x + y * y);
@@ -121,7 +121,7 @@ Sighting sightingOf(const Eye& eye, const Eigen::Vector3d& point, Color color, d
 void toBlobs(const std::vector<Sighting>& sightings, const Eye& eye, bool knows_distance, Span<ColorBlob> blobs) {
   constexpr std::size_t kSome = 32;
   constexpr auto kBehind = static_cast<float>(M_PI);
-  // by column, in single precision: what is ahead, to the left and above, and how far away
+  // by column, in single precision: components forward, left and up, and horizontal distance
   std::array<float, kSome> ahead;
   std::array<float, kSome> left;
   std::array<float, kSome> up;
@@ -138,7 +138,7 @@ void toBlobs(const std::vector<Sighting>& sightings, const Eye& eye, bool knows_
       distance[i] = sighting.distance;
       radius[i] = static_cast<float>(sighting.radius);
     }
-    // a loop of its own, without calls or branches, since compilers make it one over several blobs at once
+    // a separate loop without calls or branches, so that compilers vectorise it
     std::array<float, kSome> bearing;
     std::array<float, kSome> elevation;
     std::array<float, kSome> size;
@@ -163,11 +163,11 @@ void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>&
   near.clear();
   found.clear();
   const Eigen::Vector3d& eye = view.eye.position;
-  // what has a LED in range, which may stand out of its solids a little, and what can stand before one
+  // entities with LEDs in range, whose LEDs may stand out of their solids, and possible obstacles
   space.index.collectUpright(eye.head<2>(), view.range + std::max(kMostOutside, space.index.prismMargin()), near);
   const Entities& entities = space.entities;
   std::sort(near.begin(), near.end(), [&](Row a, Row b) { return entities.number[a] < entities.number[b]; });
-  // spots on the ground may be under it by rounding
+  // spots on the ground may be below it by rounding
   constexpr double kBelow = 1e-3;  // m
   obstacles.begin(space, view.self, eye, near, space.lowestGround() - kBelow, space.farCorner().z());
   Finder finder(space, view, obstacles, shades, found);

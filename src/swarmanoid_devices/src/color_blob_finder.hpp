@@ -1,6 +1,6 @@
-/// Finds the blobs that a colour-blob camera has in sight: lit LEDs and lamps, coloured preys, laser spots and floor
-/// patches, unless another entity or the robot that carries the LED (LedShades) is in between. All cameras share it;
-/// they differ in their FieldOfView.
+/// Finds the blobs that a colour-blob camera sees: lit LEDs and lamps, coloured preys, laser spots and floor patches,
+/// unless another entity or the robot that carries the LED (LedShades) hides them. All cameras share it; they differ in
+/// their FieldOfView.
 #pragma once
 
 #include <cstddef>
@@ -25,27 +25,27 @@ struct BlobView {
   bool sees_floor = false;
 
   bool inView(const Eigen::Vector3d& point) const;
-  /// Returns those of the LEDs asked about that are in view.
+  /// Returns the LEDs of `asked` that are in view.
   LedSet inView(const LedPoints& points, const LedSet& asked) const;
 };
 
-/// What gives a blob.
+/// A point that gives a blob.
 struct Sighting {
   Color color;
-  Eigen::Vector3d way = Eigen::Vector3d::Zero();  ///< from the camera, in W [m]
-  float distance = 0.0F;                          ///< the horizontal length of the way [m]
-  double radius = 0.0;                            ///< of what is seen [m]
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();  ///< from the camera to the point, in W [m]
+  float distance = 0.0F;                          ///< horizontal length of `way` [m]
+  double radius = 0.0;                            ///< of the blob [m]
   std::size_t place = 0;                          ///< rank in the order defined by ColorBlobs
 };
 
-/// @param point in W @param radius of what is there [m]
+/// @param point in W @param radius of the blob [m]
 Sighting sightingOf(const Eye& eye, const Eigen::Vector3d& point, Color color, double radius, std::size_t place);
 
-/// What the camera reports of all that is in sight. @param knows_distance or distances are NaN
-/// @param blobs as many as sightings, to be filled
+/// Converts sightings to the blobs that the camera reports. @param knows_distance false: distances are NaN
+/// @param blobs output, of the same size as `sightings`
 void toBlobs(const std::vector<Sighting>& sightings, const Eye& eye, bool knows_distance, Span<ColorBlob> blobs);
 
-/// Writes all that is in sight, in the order defined by ColorBlobs. Thread-safe.
+/// Collects all sightings, in the order defined by ColorBlobs. Thread-safe.
 void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>& found);
 
 }  // namespace swarmanoid::devices

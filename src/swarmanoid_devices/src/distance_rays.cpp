@@ -5,8 +5,8 @@
 namespace swarmanoid::devices {
 namespace {
 
-/// The fraction of a segment at which it meets the level floor from above; infinity if it does not, and where there is
-/// terrain or a hole instead.
+/// Fraction of a segment at which it hits the level floor from above; infinity if it does not, or if there is terrain
+/// or a hole instead.
 double floorFraction(const Space& space, const Segment& segment) {
   if (segment.from.z() < 0.0 || segment.to.z() > 0.0 || segment.from.z() == segment.to.z()) {
     return kInfinity;

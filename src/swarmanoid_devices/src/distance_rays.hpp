@@ -1,6 +1,6 @@
-/// Rays of distance sensors: what they hit, be it a solid, the terrain or the level floor, which no engine answers for.
+/// Rays of distance sensors: they hit solids, the terrain and the level floor, which no engine includes in its rays.
 ///
-/// Threads: const from any number of them.
+/// Threads: const functions, safe from any number of threads.
 #pragma once
 
 #include "swarmanoid_interface/registry.hpp"
@@ -8,21 +8,21 @@
 
 namespace swarmanoid::devices {
 
-/// Whether a ray of the bundle could hit anything; in doubt, yes. Its segments are not looked at.
-/// @param lowest height in W to which the rays go down [m]
+/// Whether a ray of the bundle could hit anything; true if uncertain. The segments of the bundle are not used.
+/// @param lowest lowest height that the rays reach, in W [m]
 inline bool mayMeasure(const Space& space, const RayBundle& rays, double lowest) {
   return lowest <= 0.0 || space.mayHit(rays);
 }
 
-/// Refuses a range in which nothing can be measured. @param parameters of the sensor, with range_min and range_max
+/// Refuses an empty measuring range. @param parameters of the sensor, with range_min and range_max
 /// @throws ConfigError
 void refuseEmptyRange(const Range& range, const Configuration& parameters);
 
-/// As Space::raycast, and the level floor stops rays, too: z = 0, where there is neither terrain nor a hole.
+/// As Space::raycast, but the level floor also stops rays: z = 0, where there is neither terrain nor a hole.
 void castDistances(const Space& space, const RayBundle& rays, Span<RayHit> hits);
 
-// What a sensor says of something that is too close, as the parameter `too_close` chooses.
-constexpr const char* kReported = "reported";  ///< that it is: minus infinity
+// Readings of a target that is too close, selected by the parameter `too_close`.
+constexpr const char* kReported = "reported";  ///< minus infinity
 constexpr const char* kFolded = "folded";      ///< Distance::foldedReading
 Parameter tooCloseParameter();
 

@@ -1,4 +1,4 @@
-/// The numbers of one field of a device, for those who draw what a controller reads.
+/// The numbers of one field of a device, for drawing what a controller reads.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace swarmanoid::devices {
 
-/// Collects the numbers of all fields of a name, in the order in which they travel: `value` gives those of an array
-/// `value`, and the `value` of each element of a span.
+/// Collects the numbers of all fields with a name, in the order in which they are serialised: `value` selects the
+/// elements of an array `value`, and the `value` of each element of a span.
 class FieldNumbers {
  public:
-  /// @param numbers gets them at its end
+  /// @param numbers output; the numbers are appended
   FieldNumbers(std::string_view name, std::vector<double>& numbers) : name_(name), numbers_(numbers) {}
 
   template <class Value>
@@ -46,7 +46,7 @@ class FieldNumbers {
   std::vector<double>& numbers_;
 };
 
-/// The numbers of the fields of that name, followed by zeros to a size of at least `least`; valid until this thread
+/// The numbers of the fields with that name, padded with zeros to at least `least` numbers; valid until this thread
 /// calls it again.
 template <class Device>
 const std::vector<double>& numbersOf(Device device, std::string_view name, std::size_t least) {

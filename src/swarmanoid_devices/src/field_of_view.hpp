@@ -1,5 +1,5 @@
-/// What a camera has in view, as one of a few shapes: all around, a cone below, a pyramid around the axis that it looks
-/// along. Another shape is another class here. How far a camera sees is not part of it.
+/// Field of view of a camera, as one of a few shapes: all around, a cone below, or a pyramid around the optical axis.
+/// Another shape is another class here. The maximum range is not part of it.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,11 +13,11 @@
 
 namespace swarmanoid::devices {
 
-/// Where a camera is at this tick, and where it looks.
+/// Pose of a camera at this tick.
 struct Eye {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in W [m]
   Eigen::Vector2d forward = Eigen::Vector2d::UnitX();  ///< the robot's x axis seen from above, in W, of length 1
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< in W, of its frame: it looks along x
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of the camera frame in W; x is the optical axis
   double height = 0.0;                                              ///< above the ground [m]
 };
 
@@ -25,22 +25,22 @@ class FieldOfView {
  public:
   virtual ~FieldOfView() = default;
 
-  /// @param way from the camera to a point, in W [m] @param horizontal the way's length seen from above [m]
+  /// @param way from the camera to a point, in W [m] @param horizontal horizontal length of `way` [m]
   virtual bool contains(const Eye& eye, const Eigen::Vector3d& way, double horizontal) const = 0;
-  /// Whether it contains all.
+  /// Whether it contains every point.
   virtual bool isAll() const { return false; }
-  /// Whether the place of a blob in the picture says how far away a thing is.
+  /// Whether the position of a blob in the picture determines its distance.
   virtual bool knowsDistance() const { return true; }
-  /// Draws a way at which nothing is, within view. @param range [m] @return from the camera, in W [m]
+  /// Draws a random way within view, for a false blob. @param range [m] @return from the camera, in W [m]
   virtual Eigen::Vector3d drawWay(const Eye& eye, double range, RandomStream& random) const = 0;
-  /// Shows what is in view up to a range [m].
+  /// Draws the outline of the field of view up to a range [m].
   virtual void draw(const Eye& eye, double range, DeviceDrawing& drawing) const = 0;
 
  protected:
   static Eigen::Vector3d below(const Eye& eye) {
     return {eye.position.x(), eye.position.y(), eye.position.z() - eye.height};
   }
-  /// To a point of the ground around the camera, anywhere with the same probability.
+  /// Draws the way to a point of the ground around the camera, uniformly distributed over the disc.
   static Eigen::Vector3d drawOnGround(const Eye& eye, double radius, RandomStream& random) {
     const double bearing = random.uniform(-M_PI, M_PI);
     const double distance = radius * std::sqrt(random.uniform());
@@ -64,7 +64,7 @@ class RingView final : public FieldOfView {
   }
 };
 
-/// A cone that stands upright below the camera, whatever its tilt.
+/// An upright cone below the camera, independent of its tilt.
 class ConeView final : public FieldOfView {
  public:
   ConeView() = default;
@@ -91,7 +91,7 @@ class ConeView final : public FieldOfView {
   double slope_ = 1.0;
 };
 
-/// What a picture shows that is taken through a lens.
+/// The picture of a camera with a lens.
 class PyramidView final : public FieldOfView {
  public:
   PyramidView() = default;

@@ -1,15 +1,14 @@
-/// What an infrared spot reads over a floor of a colour.
+/// Reading of an infrared ground sensor over a floor of a given colour.
 ///
-/// Ideal: the mean of the channels' codes (Ground::reflection). As a printed floor: colours of the experiment are sRGB,
-/// so codes are linearised first (IEC 61966-2-1), and the near infrared is not what the eye sees: printed black, of
-/// soot, absorbs it, while cyan, magenta and yellow inks let most of it through to the paper. A printer mixes the
-/// colours that are not grey of those inks, and adds as much black as the brightest channel leaves. So with the linear
-/// channels r, g, b
+/// Ideal: the mean of the channels' codes (Ground::reflection). As a printed floor: the experiment's colours are sRGB,
+/// so the codes are linearised first (IEC 61966-2-1). Near infrared differs from visible light: printed black (soot)
+/// absorbs it, while cyan, magenta and yellow inks let most of it through to the paper. A printer mixes colours other
+/// than grey from these inks, and adds as much black as the brightest channel leaves. With the linear channels r, g, b
 ///
 ///     value = black + (1 - black) (t max(r, g, b) + (1 - t) (r + g + b) / 3)
 ///
-/// where t is the part of the infrared light that coloured inks let pass, and `black` what printed black reflects of
-/// that of white paper.
+/// where t is the transmission of coloured inks in the infrared, and `black` the reflection of printed black relative
+/// to white paper.
 #pragma once
 
 #include <algorithm>
@@ -26,16 +25,16 @@ class GroundResponse {
   static constexpr double kUsualTransparency = 0.9;
   static constexpr double kUsualBlack = 0.05;
 
-  /// The ideal one.
+  /// The ideal response.
   GroundResponse() = default;
-  /// That of a printed floor. @param ink_transparency and @param black from 0 to 1
+  /// The response of a printed floor. @param ink_transparency and @param black from 0 to 1
   GroundResponse(double ink_transparency, double black)
       : is_printed_(true), ink_transparency_(ink_transparency), black_(black) {}
 
   float operator()(Color color) const { return is_printed_ ? printed(color) : Ground::reflection(color); }
 
  private:
-  /// The light of each code of a channel, from 0 to 1.
+  /// Linear intensity of each code of a channel, from 0 to 1.
   static const std::array<double, 256>& linearCodes() {
     static const std::array<double, 256> codes = [] {
       std::array<double, 256> light{};

@@ -1,6 +1,6 @@
-/// The family of devices that work with holders of a robot (EntityModel::Holder): grippers, hands, magnets, ropes, and
-/// the winches of these.
-/// Which holders of the model they are is looked up once, when a robot is added.
+/// Base classes of devices that use holders of a robot (EntityModel::Holder): grippers, hands, magnets, ropes and their
+/// winches.
+/// The indices of the holders in the model are looked up once, when a robot is added.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,12 @@
 
 namespace swarmanoid::devices {
 
-// The names in the model of the holders that both an actuator and a sensor work with.
+// Names in the model of the holders that both an actuator and a sensor use.
 inline constexpr std::array<const char*, 1> kMagnetHolder{"magnet"};
 inline constexpr std::array<const char*, 1> kRopeHolder{"rope"};
 inline constexpr std::array<const char*, 2> kHandHolders{"left hand", "right hand"};
 
-/// An instance with the indices of `count` holders in the model; -1 for those that it does not have.
+/// An instance with the indices of `count` holders in the model; -1 for missing ones.
 template <class Instance, std::size_t count>
 struct WithHolders : Instance {
   std::array<int, count> holders{};
@@ -34,8 +34,8 @@ std::array<int, count> holdersOf(const EntityModel& model, const std::array<cons
   return holders;
 }
 
-/// `Derived` has `static constexpr std::array<const char*, count> kHolders`, the names of its holders, or an
-/// `indicesIn` of its own.
+/// `Derived` has `static constexpr std::array<const char*, count> kHolders`, the names of its holders, or its own
+/// `indicesIn`.
 template <class Derived, class Device, std::size_t count = 1>
 class HolderActuator : public ActuatorOf<Device, WithHolders<BasicActuatorInstance<Device>, count>> {
  public:
@@ -60,8 +60,8 @@ class HolderActuator : public ActuatorOf<Device, WithHolders<BasicActuatorInstan
   }
 };
 
-/// Holders of which some are ropes, wound by winches that have a fastest speed. `Derived` has besides `static double&
-/// windingOf(Device&, std::size_t which)`, the winding speed of each, and `Device` has `kUsualFastest` [m/s].
+/// Holders of which some are ropes, with winches of limited speed. `Derived` also has `static double&
+/// windingOf(Device&, std::size_t which)`, the winding speed of each holder, and `Device` has `kUsualFastest` [m/s].
 template <class Derived, class Device, std::size_t count = 1>
 class WinchActuator : public HolderActuator<Derived, Device, count> {
  public:
@@ -88,7 +88,7 @@ class WinchActuator : public HolderActuator<Derived, Device, count> {
   double max_speed_ = Device::kUsualFastest;
 };
 
-/// The same of sensors.
+/// As HolderActuator, for sensors.
 template <class Derived, class Device, std::size_t count = 1, class InstanceWithout = BasicSensorInstance<Device>>
 class HolderSensor : public SensorOf<Device, WithHolders<InstanceWithout, count>> {
  public:

@@ -1,8 +1,8 @@
-/// The family of devices that work with joints of a robot (EntityModel::Joint): turrets, arms. Which joints of the
-/// model they are is looked up once, when a robot is added. Commanded angles are limited to where a joint stops, and
-/// speeds to the greatest of its motor.
+/// Base classes of devices that use joints of a robot (EntityModel::Joint): turrets, arms. The indices of the joints in
+/// the model are looked up once, when a robot is added. Commanded angles are limited to the joint's stops, and speeds
+/// to the motor's maximum.
 ///
-/// An actuator of a robot's own is its struct and a class such as
+/// A new actuator of a robot is its struct and a class such as
 ///
 ///     class MyNeckActuator final : public JointActuator<MyNeckActuator, MyNeck> {
 ///      public:
@@ -25,10 +25,11 @@
 
 namespace swarmanoid::devices {
 
-// The names in the model of the joints that both an actuator and a sensor work with; those of arms have their device.
+// Names in the model of the joints that both an actuator and a sensor use; those of arms are in the header of their
+// device.
 inline constexpr std::array<const char*, 1> kTurretJoint{"turret"};
 
-/// An instance with the indices of `count` joints in the model; -1 for those that it does not have.
+/// An instance with the indices of `count` joints in the model; -1 for missing ones.
 template <class Instance, std::size_t count>
 struct WithJoints : Instance {
   std::shared_ptr<const EntityModel> model;
@@ -44,10 +45,10 @@ std::array<int, count> jointsOf(const EntityModel& model, const std::array<const
   return joints;
 }
 
-/// What an actuation commands a joint to do.
+/// Command of an actuation for one joint.
 struct JointTarget {
   JointCommand::Mode mode = JointCommand::Mode::kPassive;
-  double* value = nullptr;  ///< the number of the actuation that says so: an angle [rad], a speed [rad/s]; null: none
+  double* value = nullptr;  ///< the commanded angle [rad] or speed [rad/s] in the actuation; null: none
 };
 
 /// @param motor has `mode`, one of kAngle, kSpeed and kPassive, and `angle` and `speed`
@@ -64,7 +65,7 @@ JointTarget targetOfMotor(Motor& motor) {
   }
 }
 
-/// Limits what is commanded to what the joint can do.
+/// Limits a command to the range of the joint.
 inline void limitToJoint(const EntityModel::Joint& joint, const JointTarget& target) {
   if (target.mode == JointCommand::Mode::kAngle) {
     *target.value = std::clamp(*target.value, joint.lower, joint.upper);
@@ -73,8 +74,9 @@ inline void limitToJoint(const EntityModel::Joint& joint, const JointTarget& tar
   }
 }
 
-/// `Derived` has `static constexpr std::array<const char*, count> kJoints`, the names of its joints, or an `indicesIn`
-/// of its own, and `static JointTarget targetOf(Device&, std::size_t which)`, what an actuation says of each.
+/// `Derived` has `static constexpr std::array<const char*, count> kJoints`, the names of its joints, or its own
+/// `indicesIn`, and `static JointTarget targetOf(Device&, std::size_t which)`, the command of an actuation for each
+/// joint.
 template <class Derived, class Device, std::size_t count = 1>
 class JointActuator : public ActuatorOf<Device, WithJoints<BasicActuatorInstance<Device>, count>> {
  public:
@@ -115,9 +117,9 @@ class JointActuator : public ActuatorOf<Device, WithJoints<BasicActuatorInstance
   }
 };
 
-/// The same of sensors. `Derived` has `kJoints` or `indicesIn`, and `static void read(Instance&, std::size_t which,
-/// const JointState&)`, which writes the readings of a joint. Those of joints that the robot does not have stay at
-/// rest.
+/// As JointActuator, for sensors. `Derived` has `kJoints` or `indicesIn`, and `static void read(Instance&, std::size_t
+/// which, const JointState&)`, which writes the readings of a joint. The readings of joints that the robot lacks keep
+/// their default values.
 template <class Derived, class Device, std::size_t count = 1, class InstanceWithout = BasicSensorInstance<Device>>
 class JointSensor : public SensorOf<Device, WithJoints<InstanceWithout, count>> {
  public:

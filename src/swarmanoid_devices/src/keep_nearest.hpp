@@ -1,4 +1,4 @@
-/// For sensors that report a limited number of things: the nearest ones, in the order in which they were found.
+/// Selection of the nearest results, for sensors with a limited number of readings; the order is kept.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace swarmanoid::devices {
 
-/// Leaves the nearest; of equally near ones the first. The order stays. Allocates nothing.
-/// @param found each has `place`, its rank in their order @param distance_of of one of them, in any unit
-/// @return whether some were left out
+/// Keeps the `capacity` nearest elements, in their order; ties go to the first. Allocates nothing.
+/// @param found elements with `place`, their rank in the order @param distance_of distance of an element, in any unit
+/// @return whether elements were removed
 template <class Found, class DistanceOf>
 bool keepNearest(std::vector<Found>& found, std::size_t capacity, DistanceOf distance_of) {
   if (found.size() <= capacity) {

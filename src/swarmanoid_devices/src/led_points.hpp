@@ -1,4 +1,4 @@
-/// The LEDs of one entity as points in W, by coordinate, so that several are looked at at once.
+/// The LEDs of one entity as points in W, by coordinate, so that loops over them can be vectorised.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,14 +16,14 @@ struct LedPoints {
 
   std::size_t count = 0;
   Column x;  ///< in W [m]
-  Column y;  ///< likewise
-  Column z;  ///< likewise
+  Column y;  ///< in W [m]
+  Column z;  ///< in W [m]
 
   LedPoints() = default;
   LedPoints(const EntityModel& model, const Pose& pose)
       : count(std::min(model.led_positions.size(), EntityModel::kMaxLeds)) {
     const Eigen::Matrix3d turn = pose.orientation.toRotationMatrix();
-    for (std::size_t k = 0; k < count; ++k) {  // without calls: compilers make it one over several LEDs
+    for (std::size_t k = 0; k < count; ++k) {  // without calls, so that compilers vectorise it
       const Eigen::Vector3d& led = model.led_positions[k];
       x[k] = pose.position.x() + (turn(0, 0) * led.x() + turn(0, 1) * led.y() + turn(0, 2) * led.z());
       y[k] = pose.position.y() + (turn(1, 0) * led.x() + turn(1, 1) * led.y() + turn(1, 2) * led.z());
@@ -32,7 +32,7 @@ struct LedPoints {
   }
 
   Eigen::Vector3d operator[](std::size_t led) const { return {x[led], y[led], z[led]}; }
-  /// @pre led <= count, which grows if it is the same
+  /// @pre led <= count; with led == count the count grows
   void set(std::size_t led, const Eigen::Vector3d& point) {
     x[led] = point.x();
     y[led] = point.y();

@@ -1,4 +1,4 @@
-/// Into which directions a lamp shines: all, or a cone (swarmanoid_space/models/spot_light.hpp).
+/// Directions in which a lamp shines: all, or a cone (swarmanoid_space/models/spot_light.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -11,15 +11,15 @@ namespace swarmanoid::devices {
 
 struct LightCone {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< in W, of length 1
-  double cosine = -1.0;                             ///< of half the angle; -1: it shines everywhere
+  double cosine = -1.0;                             ///< of half the opening angle; -1: all directions
 
-  /// Whether it shines everywhere.
+  /// Whether it shines in all directions.
   bool isWhole() const { return cosine <= -1.0; }
-  /// Whether its light falls there. @param way from the lamp, in W [m]
+  /// Whether a point is in the cone. @param way from the lamp to the point, in W [m]
   bool holds(const Eigen::Vector3d& way) const { return isWhole() || axis.dot(way) >= cosine * way.norm(); }
 };
 
-/// @param lamp or anything else, which shines everywhere
+/// @param lamp any entity; all except spot lights shine in all directions
 inline LightCone lightConeOf(const Space& space, Row lamp) {
   LightCone cone;
   if (const std::optional<double> aperture = space.property(lamp, kAperture)) {

@@ -16,9 +16,9 @@ namespace swarmanoid::devices {
 struct LightSearch::Lights {
   Row owner = kNoRow;
   LedPoints points;
-  std::array<double, LedSet{}.size()> brightness;  // of those that are lit
+  std::array<double, LedSet{}.size()> brightness;  // of the lit LEDs
   LedSet lit;
-  Eigen::AlignedBox3d box;  // around those points, in W [m]
+  Eigen::AlignedBox3d box;  // around the lit LEDs, in W [m]
   LightCone cone;
   double reach = 0.0;  // m
 
@@ -48,7 +48,7 @@ LightSearch::Lights::Lights(const Space& space, Row row, const IlluminatedRing& 
   }
 }
 
-/// How far they are at most from the middle of their box, seen from above [m].
+/// Maximum horizontal distance of the lights from the centre of their box [m].
 double LightSearch::Lights::radiusFromAbove() const {
   const Eigen::Vector3d middle = box.center();
   double squared = 0.0;
@@ -56,7 +56,7 @@ double LightSearch::Lights::radiusFromAbove() const {
   return std::sqrt(squared);
 }
 
-/// A bundle without segments whose sphere holds all rays from the ring to the lights.
+/// A bundle without segments whose sphere contains all rays from the ring to the lights.
 RayBundle LightSearch::Lights::bundleFrom(const IlluminatedRing& ring) const {
   const Eigen::Vector3d half = Eigen::Vector3d::Constant(ring.radius);
   const Eigen::AlignedBox3d both = box.merged({ring.centre - half, ring.centre + half});
@@ -74,12 +74,12 @@ Eigen::Vector3d inBody(const Pose& pose, const Eigen::Vector3d& point) {
   return pose.orientation.conjugate() * (point - pose.position);
 }
 
-/// The sensors, seen from the body that carries the lights.
+/// The sensors in the frame of the body that carries the lights.
 LedShades::Eyes eyesOf(const IlluminatedRing& ring, const Pose& pose) {
   const Eigen::Vector3d centre = inBody(pose, ring.centre);
   LedShades::Eyes eyes{centre.head<2>(), ring.radius, centre.z() - ring.radius, centre.z() + ring.radius};
   if (pose.isUpright()) {
-    // upright: sensors of a level ring are all at one height
+    // upright: all sensors of a level ring have the same height
     eyes.lowest = std::max(eyes.lowest, ring.lowest - pose.position.z());
     eyes.highest = std::min(eyes.highest, ring.highest - pose.position.z());
   }
@@ -90,14 +90,13 @@ constexpr double kRounding = 1e-9;  // m
 
 }  // namespace
 
-/// Whether all lights are behind a sensor: so half of a ring's sensors are.
+/// Whether all lights are behind a sensor, as for half of a ring's sensors.
 bool LightSearch::Lights::areBehind(const IlluminatedSensor& sensor) const {
   const Eigen::Vector3d half = 0.5 * box.sizes();
   return sensor.direction.dot(box.center() - sensor.position) + sensor.direction.cwiseAbs().dot(half) < -kRounding;
 }
 
-/// Whether it is sure that all lights are before the sensor and within its range: so they are of most sensors that
-/// look their way.
+/// Whether all lights are certainly before the sensor and within its range, as for most sensors that face them.
 bool LightSearch::Lights::areAllBefore(const IlluminatedSensor& sensor) const {
   const Eigen::Vector3d half = 0.5 * box.sizes();
   const Eigen::Vector3d way = box.center() - sensor.position;
@@ -105,7 +104,7 @@ bool LightSearch::Lights::areAllBefore(const IlluminatedSensor& sensor) const {
          (way.cwiseAbs() + half).squaredNorm() < reach * reach - kRounding;
 }
 
-/// The lights that are before the sensor and within its range, if they are lit.
+/// The lit lights that are before the sensor and within its range.
 LedSet LightSearch::Lights::before(const IlluminatedSensor& sensor) const {
   if (areAllBefore(sensor)) {
     return lit;
@@ -113,12 +112,12 @@ LedSet LightSearch::Lights::before(const IlluminatedSensor& sensor) const {
   const Eigen::Vector3d& from = sensor.position;
   const Eigen::Vector3d& looks = sensor.direction;
   const double squared_reach = reach * reach;
-  std::array<double, LedSet{}.size()> ahead;        // how far, or 0 if it is too far away
-  for (std::size_t k = 0; k < points.count; ++k) {  // without branches: compilers make it one over several lights
+  std::array<double, LedSet{}.size()> ahead;        // distance along the direction, or 0 if out of range
+  for (std::size_t k = 0; k < points.count; ++k) {  // without branches, so that compilers vectorise it
     const double x = points.x[k] - from.x();
     const double y = points.y[k] - from.y();
     const double z = points.z[k] - from.z();
-    // in the order in which Eigen adds up
+    // summed in the same order as Eigen
     const double way_ahead = looks.x() * x + looks.y() * y + looks.z() * z;
     ahead[k] = x * x + y * y + z * z <= squared_reach ? way_ahead : 0.0;
   }
@@ -130,7 +129,7 @@ LedSet LightSearch::Lights::before(const IlluminatedSensor& sensor) const {
 }
 
 /// The lights that are before the sensor, within its range, and not hidden by the robot that carries them.
-/// @param same for all sensors of the ring
+/// @param same result for all sensors of the ring
 LedSet LightSearch::facingLights(const Space& space, const IlluminatedSensor& sensor, const Lights& lights,
                                  const LedShades::SameForAll& same) {
   if (lights.areBehind(sensor)) {
@@ -147,7 +146,7 @@ LedSet LightSearch::facingLights(const Space& space, const IlluminatedSensor& se
   return facing & ~shades_.hidden(inBody(space.entities.pose[lights.owner], sensor.position), unsure);
 }
 
-/// Whether something could stand between a ring and the lights of one entity. @param rays of a sphere around both
+/// Whether an entity could be between a ring and the lights of one entity. @param rays sphere around both
 bool LightSearch::mayStandBetween(const Space& space, const IlluminatedRing& ring, const Lights& lights,
                                   const RayBundle& rays) {
   if (space.terrain) {
@@ -164,13 +163,13 @@ bool LightSearch::mayStandBetween(const Space& space, const IlluminatedRing& rin
   }
   near_.clear();
   space.index.collectPlaces(rays.centre, rays.radius + space.index.prismMargin(), near_);
-  // seen from above all rays are within this distance of the line between the middles of ring and lights
+  // seen from above, all rays are within this distance of the line between the centres of ring and lights
   const Eigen::Vector2d from = ring.centre.head<2>();
   const Eigen::Vector2d way = lights.box.center().head<2>() - from;
   const double width = std::max(ring.radius, lights.radiusFromAbove()) + kRounding;
   const bool has_prisms = std::any_of(space.engines.begin(), space.engines.end(),
                                       [](const Engine* engine) { return engine->hitsPrisms(); });
-  const double outline_reach = has_prisms ? M_SQRT2 : 1.0;  // prisms reach so far out of outlines
+  const double outline_reach = has_prisms ? M_SQRT2 : 1.0;  // factor by which prisms exceed outlines
   const double squared_length = std::max(way.squaredNorm(), kRounding * kRounding);
   return std::any_of(near_.begin(), near_.end(), [&](PositionalIndex::Place place) {
     const PositionalIndex::Outline& outline = space.index.at(place);
@@ -181,7 +180,7 @@ bool LightSearch::mayStandBetween(const Space& space, const IlluminatedRing& rin
   });
 }
 
-/// Leaves out the lights that something else stands before. All rays of a source are cast together.
+/// Removes the lights that another entity hides. All rays of a source are cast together.
 /// @param rays without segments
 void LightSearch::leaveOutOccluded(const Space& space, const IlluminatedRing& ring, const Lights& lights,
                                    RayBundle rays) {
@@ -215,7 +214,7 @@ std::size_t LightSearch::findFacing(const Space& space, const IlluminatedRing& r
   return count;
 }
 
-/// Adds what one entity sheds on the ring.
+/// Adds the light of one entity on the ring.
 void LightSearch::addLights(const Space& space, const IlluminatedRing& ring, Row row) {
   Lights lights(space, row, ring);
   if (lights.lit.none()) {
@@ -226,7 +225,7 @@ void LightSearch::addLights(const Space& space, const IlluminatedRing& ring, Row
     return;
   }
   const RayBundle rays = lights.bundleFrom(ring);
-  if (mayStandBetween(space, ring, lights, rays)) {  // a cheap question that spares most rays
+  if (mayStandBetween(space, ring, lights, rays)) {  // a cheap check that avoids most rays
     leaveOutOccluded(space, ring, lights, rays);
   }
   found_.reserve(count);
@@ -258,7 +257,7 @@ void LightOnRing::reserve(std::size_t more) {
 
 void LightOnRing::addTo(double* sums) const {
   for (std::size_t i = 0; i < count_; ++i) {
-    // in the order in which Eigen adds up
+    // summed in the same order as Eigen
     const double squared_distance = x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i];
     shares_[i] = Light::share(brightness_[i], ahead_[i], squared_distance);
   }

@@ -1,7 +1,7 @@
-/// What shines on the light sensors of a robot: the lit LEDs of other robots, and lamps, unless another entity, the
-/// ground or the robot that carries the LED (LedShades) is in between. All rings of light sensors share it.
+/// Light on the light sensors of a robot: lit LEDs of other robots, and lamps, unless another entity, the ground or the
+/// robot that carries the LED (LedShades) is in between. All rings of light sensors share it.
 ///
-/// Which entities shine at all in a tick, LitEntities knows.
+/// LitEntities lists the entities that shine in a tick.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,13 +13,13 @@
 
 namespace swarmanoid::devices {
 
-/// How strongly sensors respond to the channels of a source, where a source that is white counts with their mean.
+/// Weights of a source's colour channels in the response of sensors. White sources count with the mean of the weights.
 struct SpectralResponse {
   double red = 1.0;
   double green = 1.0;
   double blue = 1.0;
 
-  /// With equal weights of 1, Light::brightness to the bit.
+  /// With all weights 1, equal to Light::brightness bit for bit.
   double brightness(Color color) const {
     constexpr double kWhite = 3.0 * 255.0;
     return (red * color.red + green * color.green + blue * color.blue) / kWhite;
@@ -29,17 +29,17 @@ struct SpectralResponse {
 /// One light sensor of one robot, at this tick.
 struct IlluminatedSensor {
   Eigen::Vector3d position;   ///< in W [m]
-  Eigen::Vector3d direction;  ///< in which it looks, in W, of length 1
+  Eigen::Vector3d direction;  ///< viewing direction in W, of length 1
 };
 
 /// The light sensors of one robot, at this tick.
 struct IlluminatedRing {
-  Row self = kNoRow;       ///< whose own LEDs do not count, and which hides nothing
-  Eigen::Vector3d centre;  ///< of a sphere that holds all sensors, in W [m]
+  Row self = kNoRow;       ///< its own LEDs do not count, and it hides nothing
+  Eigen::Vector3d centre;  ///< of a sphere that contains all sensors, in W [m]
   double radius = 0.0;     ///< of that sphere [m]
-  double lowest = 0.0;     ///< of the sensors, in W [m]
-  double highest = 0.0;    ///< likewise
-  LightReach reach;        ///< beyond which sources give no light
+  double lowest = 0.0;     ///< lowest height of a sensor, in W [m]
+  double highest = 0.0;    ///< highest height of a sensor, in W [m]
+  LightReach reach;        ///< range beyond which sources give no light
   SpectralResponse response;
   Span<const IlluminatedSensor> sensors;
 };
@@ -48,23 +48,23 @@ struct IlluminatedRing {
 struct LightOnSensor {
   std::size_t sensor;      ///< of the ring
   double brightness;       ///< of the source (Light::share)
-  Eigen::Vector3d offset;  ///< from the sensor to it, in W [m]
+  Eigen::Vector3d offset;  ///< from the sensor to the source, in W [m]
 };
 
-/// All light that falls on a ring, by column, so that the shares of several lights are computed at once.
+/// All light that falls on a ring, by column, so that the shares can be computed in a vectorised loop.
 class LightOnRing {
  public:
   std::size_t size() const { return count_; }
   LightOnSensor operator[](std::size_t light) const {
     return {sensor_[light], brightness_[light], {x_[light], y_[light], z_[light]}};
   }
-  /// Adds up what each sensor gets of it, by Light::share, light by light. @param sums by sensor, which it is added to
+  /// Adds the share (Light::share) of each light to the sum of its sensor, in order. @param sums by sensor; added to
   void addTo(double* sums) const;
 
   void clear() { count_ = 0; }
-  /// Makes room for so many more.
+  /// Allocates space for so many more lights.
   void reserve(std::size_t more);
-  /// @pre there is room @param ahead how far the light is along the direction of the sensor [m], above 0
+  /// @pre reserved @param ahead distance of the light along the sensor's direction [m], above 0
   void add(const LightOnSensor& light, double ahead) {
     sensor_[count_] = light.sensor;
     brightness_[count_] = light.brightness;
@@ -86,18 +86,18 @@ class LightOnRing {
   mutable std::vector<double> shares_;  // scratch of addTo
 };
 
-/// Threads  each needs a LightSearch of its own, and keeps it: its room grows to what was needed, and stays.
+/// Threads  one LightSearch per thread, kept between calls: its buffers grow to the size needed, and stay.
 class LightSearch {
  public:
-  /// All light that entities shed on a ring: source by source in their order, sensor by sensor, LED by LED.
-  /// @param lit LitEntities::collect of the ring's sphere @return valid until the next call
+  /// All light of entities on a ring, sorted by source, then sensor, then LED.
+  /// @param lit LitEntities::collect for the ring's sphere @return valid until the next call
   const LightOnRing& find(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit);
 
  private:
   struct Lights;
 
   void addLights(const Space& space, const IlluminatedRing& ring, Row row);
-  /// Fills seen_. @return how many lights are seen, each by each sensor
+  /// Fills seen_. @return number of pairs of a sensor and a light that it sees
   std::size_t findFacing(const Space& space, const IlluminatedRing& ring, Lights& lights);
   LedSet facingLights(const Space& space, const IlluminatedSensor& sensor, const Lights& lights,
                       const LedShades::SameForAll& same);
@@ -105,7 +105,7 @@ class LightSearch {
   void leaveOutOccluded(const Space& space, const IlluminatedRing& ring, const Lights& lights, RayBundle rays);
 
   LedShades shades_;
-  std::vector<LedSet> seen_;  // of one source, by sensor
+  std::vector<LedSet> seen_;  // lights of one source, by sensor
   LightOnRing found_;
   // scratch
   std::vector<PositionalIndex::Place> near_;

@@ -5,7 +5,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-/// So many are looked at one by one sooner than all that is around a robot.
+/// Up to this number, checking all of them is faster than searching the surroundings of a robot.
 constexpr std::size_t kFew = 32;
 
 bool isLit(const Space& space, Row row, const LightReach& reach) {
@@ -14,7 +14,7 @@ bool isLit(const Space& space, Row row, const LightReach& reach) {
     return false;
   }
   if (!model.is_robot) {
-    // the surface of a prey has a colour, and does not shine
+    // preys have a surface colour, but do not shine
     return model.findProperty(kIntensity) >= 0 && space.ownColor(row).isLit();
   }
   return isAnyLit(space.leds[row]);

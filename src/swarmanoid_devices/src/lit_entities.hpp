@@ -1,5 +1,5 @@
-/// What shines in this tick: robots with lit LEDs, and lamps. It is put together once a tick, so that a robot in the
-/// dark need not ask all that is around it.
+/// Entities that shine in this tick: robots with lit LEDs, and lamps. The list is built once a tick, so that a robot in
+/// the dark need not check all entities around it.
 ///
 /// Phase    fill: in Sensor::prepare. collect: in `sense`, from any number of threads.
 #pragma once
@@ -12,38 +12,39 @@
 
 namespace swarmanoid::devices {
 
-/// How far light goes; 0: it is not felt [m].
+/// Maximum range of light; 0: no response to that kind of source [m].
 struct LightReach {
   double of_lamps = 0.0;
   double of_leds = 0.0;
 };
 
-/// How far that of an entity goes: of what is a robot its LEDs shine, of anything else itself.
+/// Light range of an entity: `of_leds` for robots, `of_lamps` for everything else.
 inline double reachOfLight(const EntityModel& model, const LightReach& reach) {
   return model.is_robot ? reach.of_leds : reach.of_lamps;
 }
 
-/// Whether any LED of a robot shines.
+/// Whether any LED of a robot is lit.
 inline bool isAnyLit(Span<const Color> leds) {
   return std::any_of(leds.begin(), leds.end(), [](Color led) { return led.isLit(); });
 }
 
 class LitEntities {
  public:
-  /// @param reach of the sensors: what has none is not looked at
+  /// @param reach of the sensors; kinds of source with range 0 are skipped
   void fill(const Space& space, const LightReach& reach);
 
-  /// What shines onto a sphere, by entity number. @param self who is left out @param radius of the sphere [m]
-  /// @param found is cleared first; its room grows to what was needed
+  /// Collects the entities whose light reaches a sphere, by entity number.
+  /// @param self is left out @param radius of the sphere [m]
+  /// @param found is cleared first; its capacity grows to the size needed
   void collect(const Space& space, Row self, const Eigen::Vector3d& centre, double radius, const LightReach& reach,
                std::vector<Row>& found) const;
 
  private:
   /// Either robots or lamps.
   struct Group {
-    std::vector<PositionalIndex::Outline> small;  // at the most kFew of them; else the index is asked
+    std::vector<PositionalIndex::Outline> small;  // at most kFew; with more, the index is searched instead
     std::vector<PositionalIndex::LargeOutline> large;
-    std::size_t count = 0;  // of those that are not large
+    std::size_t count = 0;  // number of entities that are not large
   };
 
   static void collectFew(const Group& group, const Eigen::Vector3d& centre, double radius, std::vector<Row>& found);

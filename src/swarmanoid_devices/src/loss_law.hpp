@@ -1,10 +1,10 @@
-/// By which law messages are lost: whatever the distance with one probability, and by the distance d with another one,
+/// Loss probability of messages: a constant one, combined with one that grows with the distance d,
 ///
 ///     p = loss + (1 - loss) loss_at_range (d / range)^exponent
 ///
-/// so a message comes if neither has lost it. Signals that fade randomly (Rayleigh) fall below what a receiver takes
-/// with a probability that is, as long as it is small, proportional to the loss of power on the way: d^n, where n is 2
-/// in free space, 3 to 5 in buildings (Rappaport, Wireless Communications, 2nd edition 2002, 4.9 and 5.6).
+/// so a message arrives if neither loses it. Randomly fading signals (Rayleigh) fall below the threshold of a receiver
+/// with a probability that is, while small, proportional to the path loss: d^n, where n is 2 in free space, and 3 to 5
+/// in buildings (Rappaport, Wireless Communications, 2nd edition 2002, 4.9 and 5.6).
 #pragma once
 
 #include <cmath>
@@ -24,15 +24,15 @@ class LossLaw {
         exponent_(parameters.integer("loss_exponent", std::int64_t{2})),
         squared_range_(range * range) {}
 
-  /// Whether any message is ever lost.
+  /// Whether any message can be lost.
   bool loses() const { return loss_ > 0.0 || at_range_ > 0.0; }
 
-  /// @param squared_distance at most that of the range [m2]
+  /// @param squared_distance at most the squared range [m2]
   double probability(double squared_distance) const {
     if (at_range_ == 0.0) {
       return loss_;
     }
-    // by products and a square root: the same bits everywhere
+    // products and a square root give the same bits on all platforms
     const double squared_share = squared_distance / squared_range_;
     double power = exponent_ % 2 == 0 ? 1.0 : std::sqrt(squared_share);
     for (std::int64_t i = 1; i < exponent_; i += 2) {

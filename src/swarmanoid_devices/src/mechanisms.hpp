@@ -1,4 +1,4 @@
-/// Short functions for devices that work with mechanisms of a robot.
+/// Short functions for devices that use mechanisms of a robot.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ inline Mechanism wheels() { return {Mechanism::Kind::kWheels}; }
 inline Mechanism flight() { return {Mechanism::Kind::kFlight}; }
 inline Mechanism joint(const std::string& name) { return {Mechanism::Kind::kJoint, name}; }
 inline Mechanism holder(const std::string& name) { return {Mechanism::Kind::kHolder, name}; }
-// Whatever joints or holders the robot has.
+// All joints or holders of the robot.
 inline Mechanism allJoints() { return {Mechanism::Kind::kJoint}; }
 inline Mechanism allHolders() { return {Mechanism::Kind::kHolder}; }
 
-/// All joints of the names.
+/// All joints with these names.
 template <std::size_t count>
 std::vector<Mechanism> joints(const std::array<const char*, count>& names) {
   std::vector<Mechanism> result;
@@ -30,13 +30,13 @@ std::vector<Mechanism> joints(const std::array<const char*, count>& names) {
   return result;
 }
 
-/// @throws ConfigError that the device cannot be on a robot of that type, which has no such part
+/// @throws ConfigError always: the device cannot be on a robot of that type, which lacks the part
 [[noreturn]] inline void refuseWithout(const std::string& device, const EntityModel& model, const std::string& part) {
   throw ConfigError({}, "found the device '" + device + "' on a " + model.type + ", allowed: on robots with " + part);
 }
 
-/// The indices of all joints, or of all holders, of a robot in its model; -1 behind them.
-/// @param found how many it has @param parts "joints" @throws ConfigError if it has none, or more than `most`
+/// Indices in the model of all joints, or of all holders, of a robot; the rest of the array is -1.
+/// @param found number of them @param parts "joints" @throws ConfigError if `found` is 0 or more than `most`
 template <std::size_t most>
 std::array<int, most> allOf(const std::string& device, const EntityModel& model, std::size_t found,
                             const std::string& parts) {

@@ -7,7 +7,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-/// Whether an upright cylinder around the thing is hardly wider than the thing: robots are about as long as wide.
+/// Whether an upright bounding cylinder is a tight fit: robots are about as long as wide.
 bool isRound(const EntityModel& model) {
   return model.is_robot || (model.silhouettes.size() == 1 && model.silhouettes.front().is_whole);
 }
@@ -26,8 +26,9 @@ Eigen::AlignedBox3d boxAroundShapes(const EntityModel& model, const Pose& pose) 
   return box;
 }
 
-/// The box around a thing, in W. Engines whose plane is across an axis of W cast rays against prisms: the outline of a
-/// solid in the plane, as long as the solid is across it. They are within such a box, and so is the solid itself.
+/// The box around an entity, in W. Engines whose plane is perpendicular to an axis of W cast rays against prisms: the
+/// outline of a solid in the plane, extruded over its extent across the plane. The box contains these prisms and the
+/// solid itself.
 Eigen::AlignedBox3d boxAround(const EntityModel& model, const Pose& pose) {
   if (model.joints_keep_outline && pose.isUpright() && isRound(model)) {
     const double reach = model.horizontal_radius;
@@ -51,7 +52,7 @@ NearObstacles::Obstacle NearObstacles::obstacleOf(const Space& space, Row row, c
 
 NearObstacles::Bundle NearObstacles::bundleTo(const Eigen::Vector3d& way, double radius, double lowest,
                                               double highest) {
-  // where a line does not go along a coordinate it is taken to go a little, by much less than the boxes are wider
+  // a zero component is replaced by one that is much smaller than the margin of the boxes
   constexpr double kLeast = 1e-12;  // m
   const auto inverse = [](double step) { return 1.0 / (std::abs(step) < kLeast ? kLeast : step); };
   return {{inverse(way.x()), inverse(way.y())}, radius, lowest, highest};
@@ -89,7 +90,7 @@ bool NearObstacles::mayHide(const Obstacle& obstacle, const Bundle& bundle) {
   if (high.z() < std::min(0.0, bundle.lowest) || low.z() > std::max(0.0, bundle.highest)) {
     return false;
   }
-  // the part of the way on which a line can be within the box: first by its height, then as seen from above
+  // the part of the way on which a line can be in the box: first by its height, then seen from above
   double from = 0.0;
   if (high.z() < 0.0) {
     from = high.z() / bundle.lowest;

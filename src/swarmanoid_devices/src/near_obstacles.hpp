@@ -1,8 +1,8 @@
-/// What stands around a camera: which of the points of one thing it hides, by one question for all of them. The answer
-/// is what Space::castRay says of each, to the last bit. Most things have nothing before them, which is found without a
-/// ray: rays are cast only to points whose line passes the box around something.
+/// Occlusion of points around a camera: decides for all points of one entity at once which of them obstacles hide. The
+/// result equals that of Space::castRay for each point, bit for bit. Most points have no obstacle before them, which is
+/// found without a ray: rays are cast only to points whose line passes through the box around an obstacle.
 ///
-/// Threads  each needs a NearObstacles of its own, and keeps it: its room grows to what was needed, and stays.
+/// Threads  one NearObstacles per thread, kept between calls: its buffers grow to the size needed, and stay.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,38 +14,39 @@
 
 namespace swarmanoid::devices {
 
-/// A surface this near to the point looked at is the point's own surface, not an obstacle (fraction of the way).
+/// A hit this close to the target point is the point's own surface, not an obstacle (fraction of the way).
 constexpr double kOwnSurface = 1e-6;
 
-/// By how much more is looked at than is there, so that rounding leaves nothing out [m].
+/// Margin of all boxes, so that rounding misses no obstacle [m].
 constexpr double kSightRounding = 1e-9;
 
 class NearObstacles {
  public:
-  /// Looks from another eye, or in another tick. @param self whose eye it is, which hides nothing @param eye in W [m]
-  /// @param near all that could stand before points of these heights that the eye is asked about
-  /// @param low, high [m]; beyond these heights each line is cast as a ray
+  /// Sets the eye; called for each eye in each tick.
+  /// @param self the robot that carries the eye; it hides nothing @param eye in W [m]
+  /// @param near all entities that could hide a point between these heights
+  /// @param low, high [m]; a line beyond these heights is always cast as a ray
   void begin(const Space& space, Row self, const Eigen::Vector3d& eye, const std::vector<Row>& near, double low,
              double high);
 
-  /// Returns those of the asked points that something other than self and the owner stands before.
-  /// @param owner kNoRow: nobody's @pre begin was called in this tick
+  /// Returns the points of `asked` that an entity other than self and the owner hides.
+  /// @param owner kNoRow: no owner @pre begin was called in this tick
   LedSet hidden(const LedPoints& points, const LedSet& asked, Row owner);
-  /// Whether something hides a single point, such as a spot on the ground.
+  /// Whether an obstacle hides a single point, such as a spot on the ground.
   bool hides(const Eigen::Vector3d& point, Row owner);
 
  private:
-  /// A box along the axes of W that holds all that rays hit of a thing, as seen from the eye [m].
+  /// An axis-aligned box in W around all parts of an entity that rays can hit, relative to the eye [m].
   struct Obstacle {
     Row row;
     Eigen::AlignedBox3d box;
   };
   /// Lines from the eye to all points of a small ball.
   struct Bundle {
-    Eigen::Vector2d inverse_way;  ///< of the way to the middle of the ball, seen from above, by coordinate [1/m]
+    Eigen::Vector2d inverse_way;  ///< inverse of the horizontal way to the ball's centre, by coordinate [1/m]
     double radius;                ///< of the ball [m]
-    double lowest;                ///< end of a line, over the eye [m]
-    double highest;               ///< likewise
+    double lowest;                ///< lowest end of a line, relative to the eye [m]
+    double highest;               ///< highest end of a line, relative to the eye [m]
   };
 
   static Obstacle obstacleOf(const Space& space, Row row, const Eigen::Vector3d& eye);
@@ -53,17 +54,17 @@ class NearObstacles {
   static bool mayHide(const Obstacle& obstacle, const Bundle& bundle);
   Bundle bundleOf(const LedPoints& points, const LedSet& asked) const;
   Bundle lineTo(const Eigen::Vector3d& point) const;
-  /// Returns those whose lines may pass through something. @param bundle of all that are asked about
+  /// Returns the points of `asked` whose lines may pass through an obstacle. @param bundle of all asked points
   LedSet passing(const LedPoints& points, const LedSet& asked, const Bundle& bundle, Row owner);
   LedSet cast(const LedPoints& points, const LedSet& asked, Row owner) const;
-  /// Whether all that could stand before the bundle is known.
+  /// Whether the list of obstacles is complete for the bundle.
   bool knowsAllBefore(const Bundle& bundle) const;
 
   const Space* space_ = nullptr;
   Row self_ = kNoRow;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();
-  double low_ = 0.0;   // over the eye, m
-  double high_ = 0.0;  // likewise
+  double low_ = 0.0;   // relative to the eye, m
+  double high_ = 0.0;  // relative to the eye, m
   std::vector<Obstacle> obstacles_;
   std::vector<const Obstacle*> on_the_way_;
 };

@@ -1,5 +1,5 @@
-/// For sensors that report a limited number of things: that there was more, as one event at its beginning, and counted
-/// in Space::overflows.
+/// Overflow of sensors with a limited number of readings: reported as one event when it begins, and counted in
+/// Space::overflows.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace swarmanoid::devices {
 
-/// What is kept for one robot's sensor from tick to tick.
+/// State of one robot's sensor, kept between ticks.
 struct OverflowNote {
   bool has_overflowed = false;       ///< state of the last tick, so that an overflow is one event, not one per tick
   std::optional<std::size_t> place;  ///< in Space::overflows
 };
 
-/// To be called in each tick, in `report`. Allocates only when an overflow begins.
-/// @param device its type @param things in words, of which there were more than `most`: "blobs"
+/// Called in each tick, in `report`. Allocates only when an overflow begins.
+/// @param device type of the sensor @param things noun for the readings of which there were more than `most`: "blobs"
 inline void noteOverflow(Space& space, Row row, const char* device, std::size_t most, const char* things,
                          bool overflowed, OverflowNote& note) {
   if (overflowed && !note.has_overflowed) {

@@ -1,4 +1,4 @@
-/// When sensors with a rate of their own take samples: at the whole multiples of 1 / rate of simulated time.
+/// Sample times of sensors with their own rate: whole multiples of 1 / rate in simulated time.
 #pragma once
 
 #include <cmath>
@@ -8,10 +8,10 @@
 
 namespace swarmanoid::devices {
 
-/// Returns the number of the last sample that was due by then. Times are whole nanoseconds, which are rounded in one
-/// way only. @param rate samples in a second, above 0 [1/s]
+/// Returns the number of the last sample that is due at `time`. Times are whole nanoseconds, so a tolerance absorbs
+/// their rounding. @param rate samples per second, above 0 [1/s]
 inline std::int64_t samplesUntil(Time time, double rate) {
-  constexpr double kAlmost = 1e-6;  // of a sample, for rounding
+  constexpr double kAlmost = 1e-6;  // tolerance for rounding, as a fraction of a sample
   return static_cast<std::int64_t>(std::floor(toSeconds(time) * rate + kAlmost));
 }
 

@@ -9,18 +9,17 @@
 namespace swarmanoid::devices {
 namespace {
 
-/// How far prisms reach out of the upright cylinder around a solid, as a factor: to the corners of the square around
-/// it.
+/// Factor by which prisms exceed the upright cylinder around a solid: they reach the corners of its bounding square.
 constexpr double kPrismReach = M_SQRT2;
 
-/// So that no rounding makes a line pass by what a ray along it touches, or touch what it passes by [m].
+/// Margin against rounding: no line may miss a solid that its ray touches, or touch one that the ray misses [m].
 constexpr double kMargin = 1e-9;
 
-/// What single precision rounds at most of a distance, as a fraction of how far all that is looked at reaches: some
-/// roundings of 6e-8 each.
+/// Bound of the rounding error of distances in single precision, as a fraction of the reach: several errors of 6e-8
+/// each.
 constexpr double kSingleRounding = 1e-6;
 
-/// The radius of places of a batch that nothing is in: no line comes that near [m].
+/// Radius of unused entries of a batch: no line touches them [m].
 constexpr float kPassedByAll = -1.0F;
 
 constexpr std::array<std::uint32_t, 32> makeBits() {
@@ -44,7 +43,7 @@ RayBundle bundleOf(const Segment& line, Row self, Row owner) {
 
 constexpr double squareOf(double number) { return number * number; }
 
-/// Whether the heights of a line and of a thing overlap.
+/// Whether the height ranges of a line and of an entity overlap.
 bool meetHeights(const Segment& line, double low, double high) {
   return std::min(line.from.z(), line.to.z()) <= high + kMargin &&
          std::max(line.from.z(), line.to.z()) >= low - kMargin;
@@ -95,12 +94,12 @@ void SightLines::fillBatches(const std::vector<Place>& near, double margin) {
 }
 
 std::uint32_t SightLines::Batch::meeting(const Eigen::Vector2f& way, float length) const {
-  // all is scaled by the length: how far to the side of the line a thing is, and how far before or behind it
+  // distances across the line and beyond its ends, all multiplied by its length
   const float ahead_x = way.x();
   const float ahead_y = way.y();
   const float half = 0.5F * length * length;
   std::uint32_t met = 0;
-  for (std::size_t k = 0; k < lanes / kLanes * kLanes; ++k) {  // so that compilers see that no lane is left over
+  for (std::size_t k = 0; k < lanes / kLanes * kLanes; ++k) {  // shows compilers that no lane is left over
     const float across = std::abs(x[k] * ahead_y - y[k] * ahead_x);
     const float beyond = std::abs(x[k] * ahead_x + y[k] * ahead_y - half) - half;
     const float excess = (across > beyond ? across : beyond) - radius[k] * length;
@@ -157,13 +156,13 @@ bool SightLines::isBlocked(const PositionalIndex::Outline& outline, const Segmen
                            : engine->blocks(outline.row, bundleOf(line, self_, owner));
 }
 
-/// @param outline of something upright @param line that has a direction seen from above
+/// @param outline of an upright entity @param line not vertical
 SightLines::Verdict SightLines::judge(const PositionalIndex::Outline& outline, const Segment& line) const {
   const EntityModel& model = *space_->entities.model[outline.row];
   const double height = outline.low - model.lowest;  // of the body's origin
   const Eigen::Vector2d way = (line.to - line.from).head<2>();
   const Eigen::Vector2d axis = outline.position - line.from.head<2>();
-  const double fraction = axis.dot(way) / way.squaredNorm();  // of the way, where it is nearest to the axis
+  const double fraction = axis.dot(way) / way.squaredNorm();  // of the way, at its closest point to the axis
   const bool is_between = fraction > 0.0 && fraction < 1.0;
   const double squared_distance = (axis - std::clamp(fraction, 0.0, 1.0) * way).squaredNorm();
   Verdict verdict = Verdict::kFree;

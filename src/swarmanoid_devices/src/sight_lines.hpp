@@ -1,9 +1,8 @@
-/// Lines of sight from one robot to many points around it: which are free is what Space::isOccluded says, at a fraction
-/// of the cost. Most lines pass by everything that is near, which is known by its outline in the positional index.
-/// Where one does not, the silhouettes of that one thing say most of the time whether it stands in the way; else its
-/// engine is asked (Engine::blocks).
+/// Lines of sight from one robot to many points around it. The result equals that of Space::isOccluded, at a fraction
+/// of the cost. Most lines pass all nearby entities at a distance, which their outlines in the positional index show.
+/// For the other entities their silhouettes decide most cases; the engine decides the rest (Engine::blocks).
 ///
-/// Threads  each needs a SightLines of its own, and keeps it: its room grows to what was needed, and stays.
+/// Threads  one SightLines per thread, kept between calls: its buffers grow to the size needed, and stay.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -20,37 +19,38 @@ class SightLines {
  public:
   using Place = PositionalIndex::Place;
 
-  /// Looks from another eye, or in another tick. @param self whose eye it is, which hides nothing @param eye in W [m]
-  /// @param reach of a sphere around the eye that all points are in [m]
-  /// @param near what PositionalIndex::collectPlaces finds in that sphere, made larger by PositionalIndex::prismMargin
+  /// Sets the eye; called for each eye in each tick.
+  /// @param self the robot that carries the eye; it hides nothing @param eye in W [m]
+  /// @param reach radius of a sphere around the eye that contains all points [m]
+  /// @param near result of PositionalIndex::collectPlaces for that sphere, enlarged by PositionalIndex::prismMargin
   void begin(const Space& space, Row self, const Eigen::Vector3d& eye, double reach, const std::vector<Place>& near);
-  /// The same, for those who have not asked the index themselves.
+  /// The same, for callers without a result of collectPlaces.
   void begin(const Space& space, Row self, const Eigen::Vector3d& eye, double reach);
 
-  /// Whether something other than self and the owner stands between the eye and a point. @param point in W [m]
+  /// Whether an obstacle other than self and the owner is between the eye and a point. @param point in W [m]
   /// @pre begin was called in this tick
   bool isOccluded(const Eigen::Vector3d& point, Row owner);
 
  private:
   enum class Verdict { kFree, kBlocked, kUnsure };
 
-  /// Outlines of what could hide something, seen from above, column by column so that a line is compared with several
-  /// at once: in single precision, and larger by what that rounds.
+  /// Outlines of possible obstacles, seen from above, by column so that a line is compared with several at once. They
+  /// are in single precision, and enlarged by its rounding error.
   struct Batch {
-    static constexpr std::size_t kSize = 32;  // a bit of a word each
-    static constexpr std::size_t kLanes = 4;  // that are compared at once
+    static constexpr std::size_t kSize = 32;  // one bit of a mask for each
+    static constexpr std::size_t kLanes = 4;  // outlines that are compared at once
 
-    alignas(16) std::array<float, kSize> x{};       ///< of the axes, from the eye [m]
-    alignas(16) std::array<float, kSize> y{};       ///< likewise
+    alignas(16) std::array<float, kSize> x{};       ///< of the axes, relative to the eye [m]
+    alignas(16) std::array<float, kSize> y{};       ///< relative to the eye [m]
     alignas(16) std::array<float, kSize> radius{};  ///< [m]
     std::array<const PositionalIndex::Outline*, kSize> outlines{};
-    std::size_t lanes = 0;  ///< how many are looked at: a multiple of kLanes
+    std::size_t lanes = 0;  ///< number of outlines to compare: a multiple of kLanes
 
-    /// The bits of those that a line may pass by too near. @param way from the eye to its end, seen from above [m]
+    /// Mask of the outlines that a line may touch. @param way from the eye to the end of the line, seen from above [m]
     std::uint32_t meeting(const Eigen::Vector2f& way, float length) const;
   };
 
-  /// @param margin by which all are made larger [m]
+  /// @param margin added to all radii [m]
   void fillBatches(const std::vector<Place>& near, double margin);
   bool isBlockedByLarge(const Segment& line, Row owner) const;
   bool isBlocked(const PositionalIndex::Outline& outline, const Segment& line, Row owner) const;
@@ -61,8 +61,8 @@ class SightLines {
   Row self_ = kNoRow;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();
   double prism_reach_ = 1.0;
-  std::size_t count_ = 0;       // of the outlines in batches_
-  std::vector<Batch> batches_;  // as many as there have ever been
+  std::size_t count_ = 0;       // number of outlines in batches_
+  std::vector<Batch> batches_;  // never shrinks
   std::vector<const PositionalIndex::LargeOutline*> large_;
 };
 

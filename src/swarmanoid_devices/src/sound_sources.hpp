@@ -1,7 +1,7 @@
-/// What sounds around a robot: the loudspeakers of other robots, and arena objects with the property kSoundLevel. All
+/// Sound sources around a robot: the loudspeakers of other robots, and arena objects with the property kSoundLevel. All
 /// microphones share it.
 ///
-/// To add another kind of source is to add another case to `soundOf`.
+/// To add another kind of source, add a case to `soundOf`.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,15 +22,15 @@ struct SoundSource {
   double frequency = 0.0;                              ///< [Hz]
 };
 
-/// Threads  each needs SoundSources of its own, and keeps them: their room grows to what was needed, and stays.
+/// Threads  one SoundSources per thread, kept between calls: its buffers grow to the size needed, and stay.
 class SoundSources {
  public:
-  /// Models may have gone since: forgets what it knows of them.
+  /// Forgets cached models, which may have been deleted.
   void clear() { transmitters_.clear(); }
 
-  /// Finds what sounds within a range of a point, by entity number. A loudspeaker that is commanded sounds from the
-  /// next tick on, as its robot's actuation says; a property, as it is now.
-  /// @param self whose own loudspeaker does not count @param centre in W [m] @param range [m]
+  /// Finds the sources within a range of a point, by entity number. A loudspeaker sounds from the tick after its
+  /// command on (it is read from the actuation); a property applies at once.
+  /// @param self its own loudspeaker does not count @param centre in W [m] @param range [m]
   /// @return valid until the next call
   const std::vector<SoundSource>& find(const Space& space, const Bank<Loudspeaker>& loudspeakers, Row self,
                                        const Eigen::Vector3d& centre, double range);

@@ -1,5 +1,5 @@
-/// Sensors with as many readings as the robot has parts, or as there is something to report: the readings are a span,
-/// whose elements the instance keeps.
+/// Sensors with a variable number of readings, one for each part of the robot or for each detection: the readings are a
+/// span over a buffer of the instance.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace swarmanoid::devices {
 
-/// @tparam Instance of the sensor, but for its elements
+/// @tparam Instance instance of the sensor without the buffer
 template <class Instance, class Element>
 struct SpanReadings : Instance {
   std::vector<Element> buffer;
 
-  /// @return the elements, at rest, which stay where they are when the instance moves
+  /// @return the elements, with default values; their addresses stay valid when the instance is moved
   Span<const Element> makeRoom(std::size_t count) {
     buffer.resize(count);
     return buffer;

@@ -1,10 +1,10 @@
-/// At what angle rays meet the surfaces that they hit: for sensors whose readings depend on it.
+/// Angles of incidence of rays on the surfaces that they hit, for sensors whose readings depend on them.
 ///
-/// Beside each ray that hits something two more are cast, 10 um aside; the three points span the surface. Where one of
-/// the two hits nothing, or something else, the surface counts as straight in its direction. Angles up to 89 degrees
-/// are right as far as the surface is flat over these 10 um. What a ray begins in, it meets straight on.
+/// For each ray with a hit two more rays are cast, 10 um aside; the three hit points span the surface. If one of the
+/// two hits nothing, or another entity, the surface counts as perpendicular in its direction. Angles up to 89 degrees
+/// are accurate if the surface is flat over these 10 um. A ray that begins inside a solid has angle 0.
 ///
-/// Threads: const from any number of them; nothing is allocated.
+/// Threads: const functions, safe from any number of threads; they allocate nothing.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,15 +16,15 @@
 namespace swarmanoid::devices {
 
 constexpr double kAsideOfRay = 1e-5;   // m
-constexpr double kBackFromRay = 1e-3;  // by which a ray aside begins earlier, to meet what leans towards the sensor, m
+constexpr double kBackFromRay = 1e-3;  // by which a ray aside begins earlier, to hit surfaces leaning to the sensor, m
 
-/// A ray beside another one, longer at both ends.
+/// A parallel ray, extended at both ends.
 inline Segment rayAside(const Segment& ray, const Eigen::Vector3d& direction, const Eigen::Vector3d& aside) {
   return {ray.from + kAsideOfRay * aside - kBackFromRay * direction,
           ray.to + kAsideOfRay * aside + kBackFromRay * direction};
 }
 
-/// How much farther than the hit of a ray that of one aside is, for each metre aside.
+/// Difference between the distance of the hit aside and that of the hit, per metre aside.
 /// @param length of the ray [m]
 inline double slopeBetween(const RayHit& hit, const RayHit& hit_aside, double length) {
   if (hit.fraction <= 0.0 || !hit_aside.isHit() || hit_aside.row != hit.row) {
@@ -34,10 +34,10 @@ inline double slopeBetween(const RayHit& hit, const RayHit& hit_aside, double le
   return (way - hit.fraction * length) / kAsideOfRay;
 }
 
-/// Calls visit(number of the ray, way to what it hits [m], angle between the ray and the surface's normal [rad]) for
-/// each ray that hits something, in their order.
-/// @param cast by which the rays were: void(const Space&, const RayBundle&, Span<RayHit>)
-/// @param rays with their segments, which all are as long @param hits of these
+/// Calls visit(index of the ray, distance of its hit [m], angle between the ray and the surface normal [rad]) for each
+/// ray that hits something, in order.
+/// @param cast function that cast the rays: void(const Space&, const RayBundle&, Span<RayHit>)
+/// @param rays with segments of equal length @param hits their hits
 template <std::size_t most, class Cast, class Visit>
 void visitSurfaces(const Space& space, RayBundle rays, Span<const RayHit> hits, Cast cast, Visit visit) {
   const Span<const Segment> segments = rays.segments;

@@ -1,4 +1,4 @@
-/// The radio tags around an antenna: whatever has the properties kTag and kTagData. Readers and writers share it.
+/// The radio tags around an antenna: all entities with the properties kTag and kTagData. Readers and writers share it.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@
 
 namespace swarmanoid::devices {
 
-/// What devices read of a number of a tag: a package's property may hold what is no uint32, of which the nearest
-/// counts.
+/// Converts a number of a tag to uint32. A package's property may be out of its range; it is clamped, and a fraction is
+/// dropped.
 inline std::uint32_t tagNumber(double value) {
   return static_cast<std::uint32_t>(std::clamp(value, 0.0, 4294967295.0));
 }
@@ -28,19 +28,19 @@ struct FoundTag {
   double squared_distance = 0.0;  ///< from the antenna [m2]
 };
 
-/// Where the antenna is on a robot of a model: at the link Rfid::kLink. @throws ConfigError if it has none
+/// Position of the antenna of a model: its link Rfid::kLink. @throws ConfigError if the model has no such link
 Transmitter antennaOf(const EntityModel& model, const char* device);
 
-/// The parameter of all devices with an antenna.
+/// The parameter that all devices with an antenna have.
 inline Parameter reachParameter() {
   return number("reach", "m", numberText(Rfid::kUsualReach), {0.001, 1.0},
                 "Distance from the antenna beyond which no tag answers.");
 }
 
-/// Threads  each needs a TagSearch of its own, and keeps it: its room grows to what was needed, and stays.
+/// Threads  one TagSearch per thread, kept between calls: its buffers grow to the size needed, and stay.
 class TagSearch {
  public:
-  /// Finds the tags within reach of a point, the nearest first, of equally near ones that of the lower entity number.
+  /// Finds the tags within reach of a point, sorted by distance, then by entity number.
   /// @param antenna in W [m] @param reach [m] @return valid until the next call
   const std::vector<FoundTag>& find(const Space& space, const Eigen::Vector3d& antenna, double reach);
 

@@ -1,6 +1,6 @@
-/// What a device that carries something from tick to tick needs, because a tick may be computed more than once: it is
-/// sensed again after somebody has acted on the space, and actuated again by a safe stop. Each time it must begin with
-/// what the tick before has left.
+/// Detects the first call of a tick, for devices with state that lasts from tick to tick. A tick may be computed more
+/// than once: it is sensed again after an action on the space, and actuated again by a safe stop. Each computation must
+/// start from the state after the previous tick.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,17 @@
 
 namespace swarmanoid::devices {
 
-/// Of one instance. Phases: `sense` of a sensor, `actuate` of an actuator. Not thread-safe, as the instance is not.
+/// State of one instance. Phases: `sense` of a sensor, `actuate` of an actuator. Not thread-safe, like the instance.
 class TickGuard {
  public:
-  /// @param tick Space::tick @return whether it is another one than that of the last call: what is carried moves on
+  /// @param tick Space::tick @return whether it differs from that of the last call: the device then advances its state
   bool begins(std::uint64_t tick) {
     const bool is_another = tick_ != tick;
     tick_ = tick;
     return is_another;
   }
 
-  /// Whether there has been a call of `begins`: if not, the instance was added since the last tick.
+  /// Whether `begins` has been called; if not, the instance was added after the last tick.
   bool hasBegun() const { return tick_.has_value(); }
 
  private:

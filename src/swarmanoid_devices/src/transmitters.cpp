@@ -10,7 +10,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-/// How far a point is from a solid; 0 inside of it [m]. @param point in B
+/// Distance of a point from a solid; 0 inside it [m]. @param point in B
 double distanceTo(const CollisionShape& shape, const Eigen::Vector3d& point) {
   const Eigen::Vector3d inner = shape.orientation.conjugate() * (point - shape.position);
   const Eigen::Vector3d& half = shape.half_extent;

@@ -1,7 +1,7 @@
-/// Where lines of sight and rays meet the ground.
+/// Intersection of lines of sight and rays with the ground.
 ///
-/// The ground is the level floor, z = 0, but for its holes, and the terrain where there is one: its holes are deep, its
-/// slopes are nearer. Nothing else hides the floor. On level floor no ray is cast.
+/// The ground is the level floor, z = 0, except for its holes, and the terrain where there is one, which may be below
+/// z = 0 (holes) or above it (slopes). Nothing else hides the floor. On level floor no ray is cast.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,17 @@
 
 namespace swarmanoid::devices {
 
-constexpr double kDeepestSpot = 0.01;  // in the ground, along its line of sight, m
+constexpr double kDeepestSpot = 0.01;  // maximum depth of a spot in the ground, along its line of sight, m
 
-/// Whether a point at z = 0 lies on the level floor: neither where there is terrain nor in a hole. Thread-safe.
+/// Whether a point at z = 0 lies on the level floor: neither on terrain nor in a hole. Thread-safe.
 /// @param point in W [m]
 inline bool isOnLevelFloor(const Space& space, const Eigen::Vector3d& point) {
   return !(space.terrain && space.terrain->contains(point.x(), point.y())) && space.holeAt(point) == nullptr;
 }
 
-/// How far along its line of sight a spot meets the ground. Thread-safe.
-/// @param spot its place in W [m] @param direction in which it looks, in W, of length 1 @param range [m]
-/// @return from -kDeepestSpot to range [m]; infinity if it meets none there
+/// Distance along its line of sight at which a spot meets the ground. Thread-safe.
+/// @param spot position in W [m] @param direction of the line of sight, in W, of length 1 @param range [m]
+/// @return from -kDeepestSpot to range [m]; infinity without an intersection
 inline double wayToGround(const Space& space, const Eigen::Vector3d& spot, const Eigen::Vector3d& direction,
                           double range) {
   double way = direction.z() < 0.0 ? -spot.z() / direction.z() : kInfinity;  // to the level floor

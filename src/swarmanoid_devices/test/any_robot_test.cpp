@@ -1,4 +1,4 @@
-// Devices of any robot, on robots whose own devices do the same.
+// Generic devices of any robot, compared with the specific devices of footbots and on robots with other parts.
 #include <gtest/gtest.h>
 
 #include <cmath>

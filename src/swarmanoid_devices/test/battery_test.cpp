@@ -1,4 +1,4 @@
-// The gauge of a battery: what stands in the space, and nothing without a battery.
+// The battery sensor: it reads the state of the battery in the space, and is refused without a battery.
 #include "swarmanoid_interface/devices/battery.hpp"
 
 #include <gtest/gtest.h>

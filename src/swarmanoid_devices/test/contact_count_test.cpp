@@ -1,4 +1,4 @@
-// The rule `contact_count`: robots that touch each other, walls and preys, at places and angles that nobody chose.
+// The rule `contact_count`: robots that touch each other, walls and preys, at arbitrary positions and angles.
 #include "measured_run.hpp"
 
 namespace swarmanoid::test {
@@ -7,7 +7,7 @@ namespace {
 constexpr double kRadius = 0.085;  // m, of a footbot
 constexpr const char* kRule = "<contact_count id='r'><robots>fb_</robots></contact_count>";
 
-/// Beside another one, seen from its back, where no gripper is.
+/// Behind another robot, facing away from it, so that neither gripper is in between.
 Stand behind(const Stand& stand, double distance) {
   return {stand.x - distance * std::cos(stand.heading), stand.y - distance * std::sin(stand.heading),
           stand.heading + M_PI};
@@ -28,7 +28,7 @@ TEST(ContactCountTest, TwoTouchUpToTheGapAndNoFarther) {
   }
 }
 
-/// The gripper of one reaches 0.11 m ahead: beside it nobody is touched who would be ahead of it.
+/// The gripper reaches 0.11 m ahead. A robot at that distance is touched ahead, but not beside it.
 TEST(ContactCountTest, AGripperTouchesWhatIsAheadOnly) {
   const Stand one{3.1, 2.7, 0.73};
   const double distance = 0.11 + kRadius + 0.0005;
@@ -40,7 +40,7 @@ TEST(ContactCountTest, AGripperTouchesWhatIsAheadOnly) {
   EXPECT_EQ(MeasuredRun(kRule, {one, at(1.3)}).metric("robot_pairs"), 0.0);
 }
 
-/// A wall of 3 m x 0.2 m that stands askew; beside it, at a corner, and off it.
+/// A wall of 3 m x 0.2 m at an oblique angle: robots beside it, at a corner, and apart from it.
 TEST(ContactCountTest, WallsThatStandAskewAreTouchedWhereTheyAre) {
   const double turn = 0.61;  // rad
   const Eigen::Vector2d along(std::cos(turn), std::sin(turn));

@@ -1,4 +1,4 @@
-// The deep hash: it knows readings and commands, of whom they are, and each of their bits.
+// The deep hash covers readings and commands, their owners, and each of their bits.
 #include <gtest/gtest.h>
 
 #include "device_world.hpp"

@@ -1,4 +1,4 @@
-// Joints and holders of a robot that is nothing but a URDF.
+// Joints and holders of a robot that is described by a URDF alone.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -24,7 +24,7 @@ std::string joint(const std::string& name, const std::string& parent, const std:
          "'/><axis xyz='0 1 0'/><limit effort='1.5' " + limit + "/></joint>" + link(child);
 }
 
-/// Its joints stand there in another order than they have in the model.
+/// The joints in the URDF have another order than in the model.
 std::shared_ptr<const EntityModel> loadCrane() {
   const TemporaryFolder folder("described_robot_test");
   const std::string file = folder.path() / "crane.urdf";
@@ -54,7 +54,7 @@ class DescribedRobotTest : public testing::Test {
   const Row robot = world.add(crane, {1.0, 1.0, 0.0});
 };
 
-/// What carries comes first; joints of one link are in the order of their names.
+/// Parents come before children; joints of one link are ordered by name.
 TEST_F(DescribedRobotTest, ItsJointsAreLimitedAsItsDescriptionSays) {
   ASSERT_EQ(jointNames(), (std::vector<std::string>{"neck", "shoulder", "elbow", "wrist"}));
   ActuatorUnderTest<Joints> joints(world, robot);

@@ -1,6 +1,6 @@
-// What the families of devices show of their work, in worlds whose end points were computed beforehand. A footbot has
-// infrared sensors 8.5 cm from its axis and 6 cm above the ground, ground spots 6.3 cm from the axis and 5 mm above it,
-// its camera 28 cm, its transmitter 13 cm and its top 14.6 cm above it.
+// What device families draw, in worlds whose end points were computed beforehand. A footbot has infrared sensors 8.5 cm
+// from its axis and 6 cm above the ground, and ground spots 6.3 cm from the axis and 5 mm above the ground. Its camera
+// is 28 cm, its transmitter 13 cm and its top 14.6 cm above the ground.
 #include "swarmanoid_space/device_drawing.hpp"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ TEST(DeviceDrawingTest, LightIsARayAsLongAsTheValue) {
   }
   EXPECT_LT(lit, 20U) << "those behind are in the dark";
   ASSERT_EQ(drawing.lines().size(), lit);
-  // 0.8 * (0.1 / 0.5)^2 = 0.032 of 10 cm
+  // 0.8 * (0.1 / 0.5)^2 = 0.032, times 10 cm
   expectNear(drawing.lines()[0].from, {4.085, 5.0, 0.06}, "sensor 0");
   expectNear(drawing.lines()[0].to, {4.0882, 5.0, 0.06}, "its end");
 }
@@ -182,7 +182,7 @@ TEST(DeviceDrawingTest, WhatAccelerometersFeelIsAnArrow) {
   const DeviceDrawing drawing = drawn(world, *imu.sensor);
   ASSERT_EQ(drawing.lines().size(), 3U);
   expectNear(drawing.lines()[0].from, {4.0, 5.0, 0.146}, "the top");
-  // 0.6 m/s2 ahead and 9.81 up, 2 cm for each
+  // 0.6 m/s2 ahead and 9.81 m/s2 up, 2 cm for each m/s2
   expectNear(drawing.lines()[0].to, {4.0074593, 5.0093999, 0.3422}, "the tip");
 }
 
@@ -238,8 +238,8 @@ TEST(DeviceDrawingTest, DrawingAgainAllocatesNothing) {
     return drawing.lines().size();
   };
   const std::size_t lines = draw();
-  // rings of rays, spots, circles and arrows of seven robots, neighbours' messages, and what cameras and light sensors
-  // see
+  // rings of rays, spots, circles and arrows of seven robots, messages of neighbours, and detections of cameras and
+  // light sensors
   EXPECT_GT(lines, 7U * (24U + 24U + 8U + 24U + 3U) + 12U);
   const std::uint64_t state = stateHash(world.space);
   const std::uint64_t deep = deepHash(world.space);

@@ -1,4 +1,4 @@
-// <error> elements in devices: what the limits of motors, safe stops and robots that come and go make of them.
+// <error> elements in devices: interaction with motor limits, safe stops, and robots that are added and removed.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -77,9 +77,9 @@ TEST(DeviceErrorsTest, RobotsThatComeAndGoKeepTheirErrors) {
   EXPECT_EQ(last.value, readings[2]->value);
 }
 
-constexpr float kBare = 300.0F / 765.0F;  // what ground sensors read of the floor below
+constexpr float kBare = 300.0F / 765.0F;  // reading of ground sensors over the floor below
 
-/// Readings of ground spots 2 and 7 over some ticks, with noise of 0.05 to either side.
+/// Readings of ground spots 2 and 7 over some ticks, with uniform noise of half width 0.05.
 std::vector<std::array<double, 2>> noisy(int ticks, std::uint64_t seed, int bystanders) {
   DeviceWorld world(seed);
   world.space.floor.bare = {200, 100, 0};
@@ -112,7 +112,8 @@ TEST(DeviceErrorsTest, NoiseIsThatOfTheExperimentFile) {
   EXPECT_NE(noisy(50, 1, 0), noisy(50, 2, 0));
 }
 
-/// A footbot at (1, 1) whose camera sees a prey 0.5 m ahead; lists of readings lie elsewhere than the readings.
+/// A footbot at (1, 1) whose camera sees a prey 0.5 m ahead. The list of its blobs is outside the struct of the
+/// readings.
 class CameraFaultTest : public testing::Test {
  protected:
   CameraFaultTest() { world.addPrey(1.5, 1.0); }

@@ -1,5 +1,5 @@
 /// Worlds small enough to compute by hand: a space without engines and controllers, and devices from the registry. Rays
-/// hit entities that are in no engine too.
+/// also hit entities that are in no engine.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,8 +19,8 @@ constexpr double kDegree = M_PI / 180.0;
 using Parameters = std::map<std::string, std::string>;
 using Errors = std::vector<ErrorModelDescription>;
 
-/// Makes a device as an experiment file would configure it; parameters that are not given have their defaults. The
-/// parameter `implementation` chooses an implementation, as its element does.
+/// Makes a device as an experiment file would configure it; omitted parameters have their defaults. The parameter
+/// `implementation` selects an implementation, as its element does.
 template <class Base>
 std::shared_ptr<Base> makeDevice(PluginKind kind, const std::string& type, const Parameters& parameters,
                                  const Errors& errors = {}) {
@@ -74,13 +74,13 @@ class DeviceWorld {
 
   Pose& pose(Row row) { return space.entities.pose[row]; }
 
-  /// Once poses were changed.
+  /// Updates the index and the rays after changes of poses.
   void takePoses() {
     space.entities_without_engine.refresh(space.entities);
     space.index.rebuild(space.entities);
   }
 
-  /// Updates all instances of a sensor from the present state of the space.
+  /// Updates all instances of a sensor from the current state of the space.
   void sense(Sensor& sensor) {
     takePoses();
     sensor.prepare(space);
@@ -88,7 +88,7 @@ class DeviceWorld {
     sensor.report(space);
   }
 
-  /// @return the rows whose commands were invalid
+  /// @return rows with invalid commands
   std::vector<Row> actuate(Actuator& actuator) {
     std::vector<Row> faulty;
     actuator.actuate(space, faulty);
@@ -172,8 +172,8 @@ struct Statistics {
   }
 };
 
-/// What a robot of the model says to having the device. @tparam UnderTest an ActuatorUnderTest or a SensorUnderTest
-/// @return "" if it may have it
+/// Tries to add the device to a robot of the model. @tparam UnderTest an ActuatorUnderTest or a SensorUnderTest
+/// @return reason of the refusal, or "" if the robot may have the device
 template <class UnderTest>
 std::string refusalOf(const std::shared_ptr<const EntityModel>& model) {
   DeviceWorld world;

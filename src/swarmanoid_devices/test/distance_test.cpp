@@ -1,4 +1,4 @@
-// Infrared distance sensors in fixed directions: how far it is along the x axis of their links, by REP-117.
+// Infrared distance sensors in fixed directions: distances along the x axes of their links, by REP-117.
 #include "swarmanoid_interface/devices/distance.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Eigen::Quaterniond turned(double yaw, double pitch = 0.0) {
   return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY());
 }
 
-/// A footbot with two distance sensors: one looks level to its left, one ahead and down by 1.1 rad from 0.4 m.
+/// A footbot with two distance sensors: one looks horizontally to its left, one ahead and down by 1.1 rad from 0.4 m.
 std::shared_ptr<const EntityModel> pryingRobot() {
   auto model = std::make_shared<EntityModel>(*robotModel("footbot"));
   model->type = "prying_robot";
@@ -70,7 +70,7 @@ TEST(DistanceTest, ThereIsNoFloorInAHole) {
   DeviceWorld world;
   const Row robot = world.add(pryingRobot(), {2.0, 3.0, 0.0}, 0.37);
   SensorUnderTest<Distance> sensor(world, robot);
-  const double level = 0.4 / std::tan(1.1);  // from the sensor to where it looks
+  const double level = 0.4 / std::tan(1.1);  // horizontal distance from the sensor to its target
   const double bearing = 0.37 - 2.0;
   FloorHole hole;
   hole.position = {2.0 + level * std::cos(bearing) + 0.1, 3.0 + level * std::sin(bearing), 0.0};
@@ -92,7 +92,7 @@ TEST(DistanceTest, RobotsWithoutSensorsAreRefusedAndSoIsARangeWithoutInside) {
   }
 }
 
-/// Errors move distances, not what is no distance; what they move out of what a field may hold is out of range.
+/// Errors change finite distances only; distances that leave the field's range are read as out of range.
 TEST(DistanceTest, ErrorsKeepInfinities) {
   DeviceWorld world;
   const Row robot = world.add(pryingRobot(), {2.0, 3.0, 0.0}, 0.37);
@@ -136,7 +136,7 @@ TEST(DistanceTest, EyebotsMeasureAroundUpwardsAndDownwards) {
   DeviceWorld world;
   const Row robot = world.addEyebot(5.0, 5.0, 1.2, 0.41);
   world.add(blockModel({3.0, 3.0, 0.1}), {5.0, 5.0, 2.9});
-  const double way = 0.41 + 3.0 * M_PI / 8.0;  // where sensor 3 looks
+  const double way = 0.41 + 3.0 * M_PI / 8.0;  // direction of sensor 3
   world.addEyebot(5.0 + 1.13 * std::cos(way), 5.0 + 1.13 * std::sin(way), 1.2);
   SensorUnderTest<EyebotDistance> sensor(world, robot);
   const EyebotDistance& distance = sensor.sense();
@@ -147,7 +147,7 @@ TEST(DistanceTest, EyebotsMeasureAroundUpwardsAndDownwards) {
   }
   EXPECT_NEAR(2.85 - 1.2 - 0.36, distance.up, 1e-6);
   EXPECT_NEAR(1.35, distance.down, 1e-6);
-  // a pole between the two hides the other
+  // a pole between the two robots hides the other one
   world.addPrey(5.0 + 0.5 * std::cos(way), 5.0 + 0.5 * std::sin(way), colors::kBlack, 0.01, 2.0);
   EXPECT_NEAR(0.5 - 0.25 - 0.01, sensor.sense().around[3], 1e-6);
   world.pose(robot).position.z() = 0.0;
@@ -167,7 +167,7 @@ TEST(DistanceTest, ATiltedEyebotMeasuresAlongItsOwnAxes) {
   const Row other = world.addEyebot(2.0, 2.0, 0.5);
   world.pose(other).orientation = world.pose(robot).orientation;
   SensorUnderTest<EyebotDistance> far_sighted(world, other, {{"range_max", "3"}});
-  // the sensor to the right, 0.25 m aside and 0.29 m up, is 0.7031675 m over the floor and looks down by 0.3 rad
+  // the sensor to the right, 0.25 m aside and 0.29 m up, is 0.7031675 m above the floor and looks down by 0.3 rad
   EXPECT_NEAR(2.3794228, far_sighted.sense().around[12], 1e-6);
   EXPECT_EQ(kNothing, far_sighted.sense().around[4]) << "looks up";
   EXPECT_EQ(3.0F, far_sighted.sense().range_max);

@@ -1,4 +1,4 @@
-// The rule `distance_to`: distances of robots whose places are known to places, lines and the nearest of a kind.
+// The rule `distance_to`: distances of robots at known positions to positions, lines and the nearest entity of a type.
 #include <algorithm>
 #include <random>
 
@@ -32,7 +32,7 @@ TEST(DistanceToTest, OfAPlaceIsSeenFromAbove) {
   EXPECT_NEAR(run.metric("greatest"), a, kTolerance);
 }
 
-/// Whoever is beside the line is as far from it as said, whoever is beyond an end as far from that.
+/// Robots beside the line have their perpendicular distance, robots beyond an end the distance from that end.
 TEST(DistanceToTest, OfALineIsThatOfItsNearestPoint) {
   const double turn = 0.43;  // rad
   const Eigen::Vector2d along(std::cos(turn), std::sin(turn));
@@ -72,7 +72,7 @@ TEST(DistanceToTest, ARobotIsNotNearToItself) {
   EXPECT_NEAR(run.metric("greatest"), std::hypot(2.9, 2.1), kTolerance);
 }
 
-/// Many and few, spread and crowded, one alone: whatever the index is asked, it finds the nearest.
+/// Many and few, spread and crowded, one alone: the index finds the nearest robot in each case.
 TEST(DistanceToTest, TheIndexFindsWhatALookAtAllFinds) {
   std::mt19937 random(20260412);
   for (const std::size_t count : {5U, 40U, 400U}) {
@@ -87,7 +87,7 @@ TEST(DistanceToTest, TheIndexFindsWhatALookAtAllFinds) {
     MeasuredRun run(rule("footbot"), stands);
     const auto expect = [&] {
       std::vector<Stand> all = stands;
-      all.push_back({9.3, 9.1, 0.0});  // one that does not count, but may be the nearest
+      all.push_back({9.3, 9.1, 0.0});  // not counted, but a possible nearest robot
       std::vector<double> nearest(stands.size(), 1e9);
       double sum = 0.0;
       for (std::size_t i = 0; i < stands.size(); ++i) {

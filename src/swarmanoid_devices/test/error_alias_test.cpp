@@ -1,5 +1,5 @@
-// The devices' own noise parameters mean errors of the framework: the numbers are those of the formulas that stood in
-// the devices before, computed here from the same random stream, to the bit.
+// The noise parameters of devices are aliases of errors of the framework. Results equal the former formulas of the
+// devices, computed here from the same random stream, bit for bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint64_t kSeed = 11;
 constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
-/// The stream that a device of the first entity draws from in a tick.
+/// The random stream of a device of the first entity in a tick.
 RandomStream streamOf(const char* type, std::uint64_t tick) {
   RandomStream random(kSeed, "e1", type);
   random.startTick(tick);

@@ -1,4 +1,4 @@
-// The eyebot's flight controller and its laser pointer.
+// The eyebot's velocity controller and its laser pointer.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,7 +90,7 @@ TEST(EyebotVelocityTest, NoiseHasTheStatedDeviationAndBelongsToTheSeed) {
   EXPECT_EQ(alongY(1, "0"), std::vector<double>(4000, 0.25));
 }
 
-/// An eyebot over (5, 5), heading along y; its laser is 5 cm ahead of its axis and 2.15 m above the ground.
+/// An eyebot above (5, 5), heading along y; its laser is 5 cm ahead of its axis and 2.15 m above the ground.
 class EyebotLaserTest : public testing::Test {
  protected:
   const std::vector<LaserSpot>& spots(ActuatorUnderTest<EyebotLaser>& tested) {

@@ -25,7 +25,7 @@ class EyebotCameraTest : public testing::Test {
   }
 
   DeviceWorld world;
-  Row robot = world.addEyebot(5.0, 5.0, 2.0);  // its camera is at 2.15 m, the middle of a prey at 0.05 m
+  Row robot = world.addEyebot(5.0, 5.0, 2.0);  // the camera is at 2.15 m, the centre of a prey at 0.05 m
 };
 
 TEST_F(EyebotCameraTest, SeesWhatIsInTheConeBelow) {

@@ -88,8 +88,8 @@ TEST_F(AltitudeTest, SensingAllocatesNothing) {
   EXPECT_EQ(heap_allocations - before, 0);
 }
 
-/// Of the standard atmosphere, computed apart from the law: 101325 Pa (1 - 0.0065 h / 288.15)^5.25588 at 1.37 m, 0.42 m
-/// below the start and 2.5 m above it.
+/// Differences in the standard atmosphere, computed independently: 101325 Pa (1 - 0.0065 h / 288.15)^5.25588 at 1.37 m,
+/// 0.42 m below the start and 2.5 m above it.
 TEST(PressureTest, IsThatOfTheStandardAtmosphereAgainstTheStart) {
   DeviceWorld world;
   const Row robot = world.addEyebot(4.0, 5.0, 0.5);

@@ -1,4 +1,4 @@
-// The eyebot's omnidirectional camera, 0.42 m above its origin; and what all cameras say of a blob.
+// The eyebot's omnidirectional camera, 0.42 m above its origin; and the fields of blobs, which all cameras share.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(EyebotOmnidirectionalCameraTest, WhatStandsBetweenHidesAndTheRangeIsHorizon
   const Row same = another.addEyebot(5.0, 5.0, 1.0);
   another.add(lightModel(), {6.1, 5.0, 2.9}, 0.0, colors::kOrange);
   EXPECT_EQ(OmnidirectionalCamera(another, same, {{"range", "1.09"}}).sense().blobs.size(), 0U);
-  // half way, at 2.16 m, there is a board
+  // a board half way, at 2.16 m
   DeviceWorld third;
   const Row below = third.addEyebot(5.0, 5.0, 1.0);
   third.add(lightModel(), {6.1, 5.0, 2.9}, 0.0, colors::kOrange);

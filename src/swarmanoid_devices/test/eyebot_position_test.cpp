@@ -1,4 +1,4 @@
-// The flight controller that flies to places: what it commands the flight mechanism to do, in ticks of 0.1 s.
+// The eyebot's position controller: its commands to the flight mechanism, in ticks of 0.1 s.
 #include "swarmanoid_interface/devices/eyebot_position.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ constexpr double kTick = 0.1;  // s
 
 class PositionTest : public testing::Test {
  protected:
-  /// The robot flies exactly as it is commanded, for some ticks.
+  /// Flies exactly as commanded, for some ticks.
   void fly(int ticks) {
     for (int i = 0; i < ticks; ++i) {
       position.actuate();
@@ -43,7 +43,7 @@ class PositionTest : public testing::Test {
     hardest = std::max(hardest, std::abs(change));
     last_speed = flight.linear.norm();
   }
-  /// A place in the frame of the take-off, in the arena.
+  /// Converts a position in the take-off frame to W.
   Eigen::Vector3d inArena(const Eigen::Vector3d& place) const {
     return start + Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()) * place;
   }
@@ -115,7 +115,7 @@ TEST_F(PositionTest, HoversWhereItCanComeToRest) {
 TEST_F(PositionTest, TheFrameIsThatOfTheLastTakeOffAndIsMovedWithTheRobot) {
   position.command.goTo({1.0, 0.5, 0.6}, 1.1);
   fly(80);
-  world.pose(robot).position += Eigen::Vector3d(2.0, 1.0, 0.0);  // by somebody
+  world.pose(robot).position += Eigen::Vector3d(2.0, 1.0, 0.0);  // teleported from outside
   world.space.placed[robot] = world.space.tick;
   fly(10);
   start += Eigen::Vector3d(2.0, 1.0, 0.0);

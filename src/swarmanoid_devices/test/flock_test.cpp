@@ -1,5 +1,5 @@
-// The rule `flock`, without engines: order and spread of robots that stand as said, and the speed of their centre. With
-// robots that drive: swarmanoid_experiments/test/flocking_test.cpp.
+// The rule `flock`, without engines: order and spread of robots at given poses, and the speed of their centre. With
+// driving robots: swarmanoid_experiments/test/flocking_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ std::string flockFootbot(const std::string& id, const std::string& position, con
          "</orientation></footbot>";
 }
 
-/// Ticks of 0.1 s; three robots that count, with the centre (2, 1.5), and one that does not.
+/// Ticks of 0.1 s; three robots in the group, with the centre (2, 1.5), and one outside the group.
 class FlockTest : public testing::Test {
  protected:
   FlockTest() { simulation->start(); }
@@ -68,7 +68,7 @@ TEST_F(FlockTest, SpreadIsTheMeanDistanceFromTheCentre) {
 }
 
 TEST_F(FlockTest, MeansAreThoseOfTheTicksAfterSettling) {
-  for (int tick = 0; tick < 4; ++tick) {  // the fifth ends at 0.5 s
+  for (int tick = 0; tick < 4; ++tick) {  // the fifth tick ends at 0.5 s
     simulation->tick();
     EXPECT_EQ(metric("mean_order"), 0.0) << tick;
   }
@@ -76,7 +76,7 @@ TEST_F(FlockTest, MeansAreThoseOfTheTicksAfterSettling) {
   const double first = metric("order");
   EXPECT_NEAR(metric("mean_order"), first, 1e-12);
   EXPECT_EQ(metric("speed"), 0.0);
-  put("fb_3", 3.3, 2.1, -35.0 * kFlockDegree);  // the centre goes by a third of (0.3, -0.4)
+  put("fb_3", 3.3, 2.1, -35.0 * kFlockDegree);  // moves the centre by a third of (0.3, -0.4)
   simulation->tick();
   EXPECT_NEAR(metric("speed"), 0.5 / 3.0 / 0.1, 1e-9);
   put("fb_3", 3.3, 2.1, 110.0 * kFlockDegree);
@@ -89,14 +89,14 @@ TEST_F(FlockTest, WhoComesOrGoesIsNoMotion) {
   for (int tick = 0; tick < 5; ++tick) {
     simulation->tick();
   }
-  put("fb_3", 3.3, 2.1, -35.0 * kFlockDegree);  // the centre goes by a third of (0.3, -0.4)
+  put("fb_3", 3.3, 2.1, -35.0 * kFlockDegree);  // moves the centre by a third of (0.3, -0.4)
   simulation->tick();
   const double speed = metric("speed");
   EXPECT_NEAR(speed, 0.5 / 3.0 / 0.1, 1e-9);
-  simulation->apply(DeleteEntity{"fb_1"});  // it goes to (2.65, 1.55)
+  simulation->apply(DeleteEntity{"fb_1"});  // moves the centre to (2.65, 1.55)
   simulation->tick();
   EXPECT_EQ(metric("speed"), speed);
-  put("fb_2", 1.4, 0.8, 110.0 * kFlockDegree);  // by half of (-0.6, -0.2)
+  put("fb_2", 1.4, 0.8, 110.0 * kFlockDegree);  // moves the centre by half of (-0.6, -0.2)
   simulation->tick();
   EXPECT_NEAR(metric("speed"), std::hypot(0.1 - 0.3, -0.4 / 3.0 - 0.1) / 0.2, 1e-9);
   EntityDescription another = simulation->experiment().arena.entities.front();

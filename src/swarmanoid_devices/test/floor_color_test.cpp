@@ -1,4 +1,4 @@
-// The colour of what lies on top of the floor under a robot, to the last bit; black where there is no ground.
+// The colour of the topmost layer of the floor under a robot, bit for bit; black where there is no ground.
 #include "swarmanoid_interface/devices/floor_color.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,8 @@ class FloorColorTest : public testing::Test {
     world.space.floor.patches = {disc};
   }
 
-  /// A footbot with a link that looks ahead and down by an angle, from 2 cm ahead, 3 cm high.
+  /// A footbot with a link that looks ahead and down by an angle, from 2 cm ahead of the origin and 3 cm above the
+  /// ground.
   static std::shared_ptr<const EntityModel> withLink(double pitch) {
     auto model = std::make_shared<EntityModel>(*robotModel("footbot"));
     Mount& link = model->mounts["floor_color"];
@@ -41,7 +42,7 @@ class FloorColorTest : public testing::Test {
 TEST_F(FloorColorTest, OfAnyRobotIsThatUnderItsOrigin) {
   const Row robot = world.addFootbot(4.13, 5.27, 0.83);
   SensorUnderTest<FloorColor> floor(world, robot);
-  // (0.04, 0.02) from the disc's middle is 0.0447 m
+  // (0.04, 0.02) from the disc's centre: 0.0447 m
   EXPECT_EQ(floor.sense().color, kDiscColor);
   world.pose(robot).position = {4.13, 5.295, 0.0};  // 0.0602 m from it
   EXPECT_EQ(floor.sense().color, kBareColor);
@@ -49,7 +50,7 @@ TEST_F(FloorColorTest, OfAnyRobotIsThatUnderItsOrigin) {
   EXPECT_EQ(floor.sense().color, colors::kOrange);
 }
 
-/// Grey paint by 0.4 makes 171, 111 and 52 of 200, 100 and 1.
+/// Grey paint with strength 0.4 changes 200, 100 and 1 to 171, 111 and 52.
 TEST_F(FloorColorTest, PaintIsMixedIn) {
   SensorUnderTest<FloorColor> floor(world, world.addFootbot(1.0, 1.0));
   world.space.floor.paint = PaintLayer({10.0, 10.0}, 0.02, 0.0);

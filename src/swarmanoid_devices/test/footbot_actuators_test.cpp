@@ -1,4 +1,4 @@
-// Wheels, gripper and LEDs: tests their commands after limits, noise and checks.
+// Wheels, gripper and LEDs: their commands after limits, noise and checks.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -71,7 +71,7 @@ std::vector<double> lefts(std::uint64_t seed, const std::string& noise, double s
     product += (actuation.left - speed) * (actuation.right - speed);
     result.push_back(actuation.left);
   }
-  // the two wheels' noise is independent
+  // the noise of the two wheels is independent
   const double deviation = std::stod(noise) * speed;
   EXPECT_NEAR(product / ticks, 0.0, 5.0 * deviation * deviation / std::sqrt(ticks) + 1e-12);
   return result;

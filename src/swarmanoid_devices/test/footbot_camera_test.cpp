@@ -46,7 +46,7 @@ TEST_F(FootbotCameraTest, BearingIsFromTheRobotsOwnHeading) {
 }
 
 TEST_F(FootbotCameraTest, StraightBehindIsPlusPi) {
-  // on both sides of the jump of the angle, and exactly at it
+  // on both sides of the angle's discontinuity, and exactly at it
   const Row prey = world.addPrey(0.0, 1.0);
   for (const double y : {1.0, 1.0 + 1e-9}) {
     world.pose(prey).position.y() = y;
@@ -87,7 +87,7 @@ TEST_F(FootbotCameraTest, WhatIsBlackIsNotSeen) {
 }
 
 TEST_F(FootbotCameraTest, AWallHidesWhatIsBehindItUnlessItIsLowerThanTheLineOfSight) {
-  world.addPrey(2.0, 1.0);  // the line falls from 0.28 m to the prey's middle, 0.05 m
+  world.addPrey(2.0, 1.0);  // the line falls from 0.28 m to the prey's centre at 0.05 m
   EXPECT_EQ(seen().size(), 1U);
   const Row low = world.addWall({0.002, 1.0, 0.16}, {1.5, 1.0});  // the line is 0.165 m high there
   EXPECT_EQ(seen().size(), 1U);
@@ -99,7 +99,7 @@ TEST_F(FootbotCameraTest, AWallHidesWhatIsBehindItUnlessItIsLowerThanTheLineOfSi
 TEST_F(FootbotCameraTest, SeesThroughAGapButNotBesideIt) {
   const Row prey = world.addPrey(2.0, 1.0);
   world.addWall({0.1, 1.0, 0.5}, {1.5, 1.51});
-  world.addWall({0.1, 1.0, 0.5}, {1.5, 0.49});  // 2 cm are left between them
+  world.addWall({0.1, 1.0, 0.5}, {1.5, 0.49});  // leaves a gap of 2 cm
   EXPECT_EQ(seen().size(), 1U);
   world.pose(prey).position.y() = 1.05;  // the line leaves the gap: 0.0275 m aside at x = 1.55
   EXPECT_EQ(seen().size(), 0U);

@@ -15,8 +15,8 @@ namespace {
 
 using Ring = SensorUnderTest<FootbotProximity>;
 
-constexpr double kFootbotRadius = 0.085;  // m, of the ring
-constexpr double kRange = 0.1;            // m, the default
+constexpr double kFootbotRadius = 0.085;  // of the ring, m
+constexpr double kRange = 0.1;            // default range, m
 
 double response(double distance, double range = kRange) {
   return distance >= range ? 0.0 : std::pow(1.0 - distance / range, 3.0);
@@ -27,7 +27,7 @@ double headings[] = {0.0, 0.7, -2.5};
 TEST(FootbotProximityTest, AWallAheadIsReadByEachSensorAtItsOwnDistance) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
-  world.addWall({0.1, 2.0, 0.5}, {1.0 + kFootbotRadius + 0.05 + 0.05, 1.0});  // its face is 5 cm before sensor 0
+  world.addWall({0.1, 2.0, 0.5}, {1.0 + kFootbotRadius + 0.05 + 0.05, 1.0});  // its face is 5 cm from sensor 0
   const FootbotProximity& readings = Ring(world, robot).sense();
   EXPECT_NEAR(readings.value[0], 0.125, 1e-6);
   for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
@@ -45,7 +45,7 @@ TEST(FootbotProximityTest, TheResponseIsCubicFromContactToTheRange) {
     const Row wall = world.addWall({0.1, 2.0, 0.5}, {2.0, 1.0});
     Ring ring(world, robot, {{"range", std::to_string(range)}});
     for (const double distance : {0.0, 0.01, 0.05, 0.0999, 0.1, 0.2, 0.299, 0.301, 0.5}) {
-      // to the robot's left, where no other part of the robot sticks out
+      // on the robot's left, where no other part of it protrudes
       world.pose(robot).orientation = Eigen::AngleAxisd(-M_PI / 2.0, Eigen::Vector3d::UnitZ());
       world.pose(wall).position.x() = 1.0 + kFootbotRadius + distance + 0.05;
       EXPECT_NEAR(ring.sense().value[6], response(distance, range), 1e-6) << distance << " m";
@@ -53,7 +53,7 @@ TEST(FootbotProximityTest, TheResponseIsCubicFromContactToTheRange) {
   }
 }
 
-/// Mock robots have the same law: a test of theirs holds them against the same polynomial at the same distances.
+/// Mock robots use the same law: one of their tests checks the same polynomial at the same distances.
 TEST(FootbotProximityTest, DistancesAreReadByTheLawOfTheDevice) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
@@ -67,7 +67,7 @@ TEST(FootbotProximityTest, DistancesAreReadByTheLawOfTheDevice) {
   }
 }
 
-/// What stands around a robot, near and far.
+/// Adds obstacles around a robot, near and far.
 void standAround(DeviceWorld& world, std::mt19937& random) {
   std::uniform_real_distribution<double> place(4.4, 5.6);
   std::uniform_real_distribution<double> size(0.02, 0.5);
@@ -78,7 +78,7 @@ void standAround(DeviceWorld& world, std::mt19937& random) {
   world.pose(wall).orientation = Eigen::AngleAxisd(heading(random), Eigen::Vector3d::UnitZ());
 }
 
-/// Expects the readings that the rays of the sensors give one by one. @return how many hit something
+/// Expects the readings that single rays of the sensors give. @return number of rays that hit something
 int compareWithRays(const DeviceWorld& world, Row robot, const FootbotProximity& readings) {
   const Pose& pose = world.space.entities.pose[robot];
   int felt = 0;
@@ -153,7 +153,7 @@ TEST(FootbotProximityTest, SensorsAreEvery15DegreesCounterClockwise) {
 TEST(FootbotProximityTest, ItsOwnGripperAndWheelsAreNotSeen) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
-  world.addPrey(1.0 - kFootbotRadius - 0.05 - 0.01, 1.0, colors::kBlack, 0.01);  // makes the sensor cast rays at all
+  world.addPrey(1.0 - kFootbotRadius - 0.05 - 0.01, 1.0, colors::kBlack, 0.01);  // so that the sensor casts any rays
   const FootbotProximity& readings = Ring(world, robot).sense();
   EXPECT_NEAR(readings.value[12], 0.125, 1e-6);
   for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
@@ -221,7 +221,7 @@ TEST(FootbotProximityTest, NoiseIsUniformWithinItsWidthAndReadingsStayBetween0An
   const Statistics of_seeing(seeing);
   EXPECT_NEAR(of_seeing.mean, 0.125, 5.0 * 0.0289 / std::sqrt(4000.0));
   EXPECT_NEAR(of_seeing.deviation, 0.05 / std::sqrt(3.0), 0.001);
-  EXPECT_NEAR(Statistics(clear).mean, 0.05 / 4.0, 0.002);  // the lower half is cut off at 0
+  EXPECT_NEAR(Statistics(clear).mean, 0.05 / 4.0, 0.002);  // the lower half is clipped to 0
 }
 
 TEST(FootbotProximityTest, NoiseBelongsToTheSeedAndNotToWhoElseSenses) {

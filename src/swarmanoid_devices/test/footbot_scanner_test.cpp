@@ -1,4 +1,4 @@
-// The rotating distance scanner: four beams from the robot's axis, 0.13 m over the ground, by the angle of the head.
+// The rotating distance scanner: four beams from the robot's axis, 0.13 m above the ground, turned by the head angle.
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct Scanning {
   explicit Scanning(DeviceWorld& in, double x, double y, double heading, const Errors& errors = {})
       : world(in), row(in.addFootbot(x, y, heading)), scanner(in, row), sensor(in, row, {}, errors) {}
 
-  /// Carries out the command, lets a tick pass, and senses.
+  /// Applies the command, advances a tick, and senses.
   const Readings& tick() {
     scanner.actuate();
     ++world.space.tick;
@@ -67,7 +67,7 @@ TEST(FootbotScannerTest, TurnsEvenlyAndMeasuresAWallWithAllBeams) {
       }
     }
   }
-  // 400 samples of two beams each over 8.5 rad: 156 degrees, and then 52 degrees, of a turn face the wall
+  // 400 samples of two beams each over 8.5 rad: 156 degrees of a turn, and then 52 degrees, face the wall
   EXPECT_NEAR(800.0 * 2.0 * std::acos(0.27 / 1.5) / (2.0 * M_PI), long_distances, 60.0);
   EXPECT_NEAR(800.0 * 2.0 * std::acos(0.27 / 0.3) / (2.0 * M_PI), short_distances, 60.0);
 }
@@ -98,7 +98,7 @@ TEST(FootbotScannerTest, LongBeamsAreBlindWhereShortOnesMeasure) {
 TEST(FootbotScannerTest, SeesOtherFootbotsAtTheirHullsAndLooksOverPreys) {
   DeviceWorld world;
   Scanning robot(world, 4.0, 5.0, -0.4);
-  const double way = -0.4 + 0.3 + M_PI / 2.0;  // of beam 1 with the head at 0.3 rad
+  const double way = -0.4 + 0.3 + M_PI / 2.0;  // direction of beam 1 with the head at 0.3 rad
   world.addPrey(4.0 + 0.3 * std::cos(way), 5.0 + 0.3 * std::sin(way));
   world.addFootbot(4.0 + 0.7 * std::cos(way), 5.0 + 0.7 * std::sin(way), 1.0);
   world.addWall({0.1, 0.1, 0.5}, {4.0 + 1.2 * std::cos(way), 5.0 + 1.2 * std::sin(way)});  // behind it
@@ -176,7 +176,7 @@ TEST(FootbotScannerTest, ATickThatIsMadeAgainTurnsFromTheSameAngle) {
   robot.tick();
   EXPECT_NEAR(0.22, robot.tick().angle, 1e-12);
   EXPECT_NEAR(0.22, robot.sensor.sense().angle, 1e-12);
-  robot.scanner.command.turnAt(-0.5);  // somebody else commands it in that tick
+  robot.scanner.command.turnAt(-0.5);  // another source commands it in that tick
   robot.scanner.actuate();
   EXPECT_NEAR(0.06, robot.sensor.sense().angle, 1e-12);
   EXPECT_NEAR(0.01, robot.tick().angle, 1e-12);

@@ -1,5 +1,5 @@
-// Foraging: what lies in the nest is counted once and comes back elsewhere. No engine holds anything here, so every
-// place is free; with engines: swarmanoid_experiments/test/foraging_test.cpp.
+// Foraging: preys in the nest are counted once and moved elsewhere. No engine detects collisions here, so every place
+// is free; with engines: swarmanoid_experiments/test/foraging_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// The nest is a disc of 0.4 m around (1, 1); preys come back to x from 2 to 4, y from 1.5 to 3.
+/// The nest is a disc of 0.4 m around (1, 1); preys return to x from 2 to 4 and y from 1.5 to 3.
 constexpr const char* kBox = "<minimum>2, 1.5, 0</minimum><maximum>4, 3, 0.5</maximum>";
 
 /// @param robots elements of the arena
@@ -49,7 +49,7 @@ class ForagingTest : public testing::Test {
     const Entities& entities = simulation.space().entities;
     return entities.number[entities.find(name)];
   }
-  /// As a robot would, with the prey askew.
+  /// Moves a prey as a robot would, tilted.
   void bring(const std::string& prey, double x, double y) {
     simulation.apply(MoveEntity{prey, {{x, y, 0.02}, Eigen::Quaterniond(0.8, 0.6, 0.0, 0.0)}});
   }
@@ -107,7 +107,7 @@ TEST_F(ForagingTest, EachIsCountedAsOftenAsItIsBrought) {
     sum += poseOf("prey_1").position + poseOf("prey_2").position;
   }
   EXPECT_EQ(metric("preys"), 2.0 * kTimes);
-  // the standard error of the mean of a uniform number is its width / sqrt(12 n)
+  // the standard error of the mean of a uniform variable is its width / sqrt(12 n)
   const Eigen::Vector3d mean = sum / (2.0 * kTimes);
   EXPECT_NEAR(mean.x(), 3.0, 4.0 * 2.0 / std::sqrt(12.0 * 400.0));
   EXPECT_NEAR(mean.y(), 2.25, 4.0 * 1.5 / std::sqrt(12.0 * 400.0));
@@ -119,7 +119,7 @@ TEST_F(ForagingTest, OneThatIsDeletedOrTakenAwayIsForgotten) {
   bring("prey_2", 1.0, 1.2);
   simulation.tick();
   EXPECT_EQ(metric("preys"), 2.0);
-  simulation.apply(DeleteEntity{"prey_1"});  // before what the rule has asked for
+  simulation.apply(DeleteEntity{"prey_1"});  // before the request of the rule takes effect
   simulation.tick();
   EXPECT_EQ(metric("preys"), 2.0);
   ASSERT_FALSE(simulation.space().events.empty());
@@ -159,7 +159,7 @@ TEST_F(ForagingTest, AResetStartsAnew) {
 }
 
 TEST_F(ForagingTest, NoPreyComesBackIntoTheNest) {
-  // nine tenths of the box lie in the nest
+  // nine tenths of the box are in the nest
   Simulation around(foraging("<minimum>0.8, 0.8, 0</minimum><maximum>1.4, 1.4, 0</maximum>"));
   around.start();
   const Space& space = around.space();
@@ -177,8 +177,8 @@ TEST_F(ForagingTest, NoPreyComesBackIntoTheNest) {
   }
 }
 
-// Robots without a controller draw what their electronics need, all the same: after ten ticks two have used what one
-// has after twenty.
+// Robots without a controller all draw the same power, that of their electronics: two robots use in ten ticks what one
+// uses in twenty.
 TEST(ForagingEfficiencyTest, WhatDeletedRobotsHaveUsedStillCounts) {
   Simulation simulation(foraging(kBox, R"(
     <footbot id="fb_1"><position>1, 4, 0</position><orientation>0, 0, 0</orientation><battery>true</battery></footbot>

@@ -1,6 +1,6 @@
-// Ground spots: the mean of the channels, of 1, of the floor's colour where the line of sight of a spot meets the
-// ground, 0 beyond 5 cm. A footbot has them 5 mm over the ground: 8 on a circle of 6.3 cm, from 22.5 degrees on every
-// 45, and 4 at 3 cm along x and y. Which patch lies under which spot was worked out by another program.
+// Ground spots: the mean of the channels, from 0 to 1, of the floor's colour where the line of sight of a spot meets
+// the ground; 0 beyond 5 cm. A footbot has them 5 mm above the ground: 8 on a circle of 6.3 cm, from 22.5 degrees in
+// steps of 45, and 4 at 3 cm along x and y. The patches under the spots were computed with another program.
 #include "swarmanoid_interface/devices/ground.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ FloorPatch strip(double x, double y, const Eigen::Vector2d& size) {
   return patch;
 }
 
-/// A terrain from (4, 4) to (6, 6), with a vertex each 0.1 m.
+/// A terrain from (4, 4) to (6, 6), with a vertex every 0.1 m.
 std::shared_ptr<const Terrain> groundOf(const std::function<double(double x)>& height) {
   std::vector<double> heights;
   for (int j = 0; j <= 20; ++j) {
@@ -113,8 +113,8 @@ TEST_F(GroundTest, WhiteReadsOneBlackReadsNothing) {
   }
 }
 
-/// Bare floor is 300 of 765; grey paint, of 384, is mixed with it channel by channel: by 0.4 of 200, 100 and 0 there
-/// become 171, 111 and 51, and after a half-life, by 0.2, 186, 106 and 26.
+/// Bare floor reads 300 / 765. Grey paint of 384 / 765 is mixed with it channel by channel: strength 0.4 changes 200,
+/// 100 and 0 to 171, 111 and 51, and after a half-life strength 0.2 changes them to 186, 106 and 26.
 TEST_F(GroundTest, PaintIsReadWhileItFades) {
   SensorUnderTest<FootbotGround> ground(world, robot);
   world.space.floor.paint = PaintLayer({10.0, 10.0}, 0.02, 9.0);
@@ -133,7 +133,7 @@ TEST_F(GroundTest, ATiltedRobotReadsWhereItLooks) {
   place(0.03);
   expectNear(around.sense().value, {kStrip, kBare, kBare, kBare, kBare, kStrip, kStrip, kStrip}, "level");
   expectNear(between.sense().value, {kBare, kBare, kStrip, kStrip}, "level, between the wheels");
-  place(0.03, 0.35);  // spots 0 and 7 are lifted so that the ground is farther than 5 cm
+  place(0.03, 0.35);  // spots 0 and 7 are lifted so that the ground is beyond 5 cm
   expectNear(around.sense().value, {0.0F, kBare, kBare, kBare, kBare, kStrip, kStrip, 0.0F}, "tilted");
   expectNear(between.sense().value, {kStrip, kBare, kStrip, kStrip}, "tilted, between the wheels");
   place(0.03, -0.35);
@@ -174,7 +174,7 @@ TEST_F(GroundTest, ASpotThatDoesNotLookDownReadsNothing) {
 TEST_F(GroundTest, TheGroundOfAHoleIsDeep) {
   world.space.terrain = groundOf([](double) { return -0.7; });
   world.pose(robot) = {{6.01, 5.0, 0.0}, Eigen::Quaterniond::Identity()};
-  // seen along x the spots are at 0.0582 and 0.0241 m, the hole ends 0.01 m behind the middle
+  // along x the spots are at 0.0582 and 0.0241 m; the hole ends 0.01 m behind the centre
   SensorUnderTest<FootbotGround> ground(world, robot);
   expectNear(ground.sense().value, {kBare, kBare, 0.0F, 0.0F, 0.0F, 0.0F, kBare, kBare}, "at its border");
   world.space.terrain = groundOf([](double) { return -0.044; });
@@ -191,7 +191,7 @@ FloorHole hole(double x, double y, double radius) {
   return result;
 }
 
-/// Where a disc lies under spots 5 to 7 in EachSpotReadsThePatchUnderIt, there is no ground, whatever lies there.
+/// A hole at the disc of EachSpotReadsThePatchUnderIt, under spots 5 to 7, hides the patches there.
 TEST_F(GroundTest, OverAHoleNothingComesBack) {
   world.space.floor.holes = {hole(4.17, 5.25, 0.06)};
   world.space.floor.patches = {disc(4.17, 5.25, 0.2)};
@@ -205,7 +205,7 @@ TEST_F(GroundTest, OverAHoleNothingComesBack) {
 }
 
 TEST_F(GroundTest, ASpotReadsTheRimAsTheLineOfSightMeetsIt) {
-  // it looks ahead and down by 0.6 rad from (2.02, 3.01, 0.02): 0.02 / tan(0.6) = 0.0292339 m ahead on the floor
+  // looks ahead and down by 0.6 rad from (2.02, 3.01, 0.02): 0.02 / tan(0.6) = 0.0292339 m ahead on the floor
   const Row own = world.add(robotWithSpot({0.02, 0.01, 0.02}, pitchedDown(0.6)), {2.0, 3.0, 0.0});
   SensorUnderTest<Ground> ground(world, own);
   world.space.floor.holes = {hole(2.0, 3.01, 0.0492)};
@@ -228,7 +228,7 @@ TEST_F(GroundTest, ATerrainHasNoHolesButItsOwn) {
 
 TEST_F(GroundTest, ASlopeIsNearerThanTheFloor) {
   world.space.terrain = groundOf([](double x) { return 0.5 * std::max(0.0, x - 5.0); });
-  // it looks ahead and down by 45 degrees from (5.02, 5.01, 0.03), and meets the slope at x = 5.0333, not at 5.05
+  // looks ahead and down by 45 degrees from (5.02, 5.01, 0.03), and meets the slope at x = 5.0333, not at 5.05
   const Row own = world.add(robotWithSpot({0.02, 0.01, 0.03}, pitchedDown(M_PI / 4.0)), {5.0, 5.0, 0.0});
   world.space.floor.patches = {disc(5.0 + 1.0 / 30.0, 5.01, 0.005)};
   SensorUnderTest<Ground> ground(world, own);
@@ -245,7 +245,7 @@ TEST_F(GroundTest, ASlopeIsNearerThanTheFloor) {
 TEST_F(GroundTest, OfAnyRobotReadsWhatTheFootbotsOwnReads) {
   world.space.floor.patches = {disc(4.17, 5.25, 0.06), strip(4.1, 5.25, {0.08, 0.3})};
   SensorUnderTest<FootbotGround> own(world, robot);
-  SensorUnderTest<Ground> sensor(world, robot);  // keeps the list of readings
+  SensorUnderTest<Ground> sensor(world, robot);  // owns the list of readings
   const Ground& any = sensor.sense();
   ASSERT_EQ(any.sensors.size(), FootbotGround::kCount);
   for (std::size_t i = 0; i < FootbotGround::kCount; ++i) {
@@ -276,7 +276,7 @@ TEST_F(GroundTest, EachRobotHasItsOwnReadings) {
   EXPECT_NEAR(readings[2]->sensors[5].value, kBare, 1e-6);
 }
 
-/// What is not cut short where there is a hole anywhere, and comes to the same.
+/// A hole anywhere disables the short cut for level floor; the results are the same.
 TEST_F(GroundTest, OverLevelBareFloorUprightRobotsReadToTheBitWhatTheyWouldAnyhow) {
   const auto sensor = makeDevice<Sensor>(PluginKind::kSensor, FootbotGround::kType, {});
   std::vector<Row> rows{robot};

@@ -13,7 +13,7 @@
 namespace swarmanoid::test {
 namespace {
 
-// Holders of the handbot's model, by their indices there.
+// Indices of holders in the handbot's model.
 constexpr std::size_t kRightHand = 1;
 constexpr std::size_t kRope = 2;
 constexpr std::size_t kMagnet = 0;  // of the eyebot

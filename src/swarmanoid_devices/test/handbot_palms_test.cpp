@@ -1,5 +1,5 @@
-// What a handbot feels in its palms: proximity, and the vacuum in each cup. With its arms stretched ahead its palms are
-// 0.205 m ahead of its origin, 0.11 m aside and 0.15 m over it.
+// The sensors in a handbot's palms: proximity, and the vacuum in each cup. With arms stretched ahead the palms are
+// 0.205 m ahead of the origin, 0.11 m aside and 0.15 m above it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kPalm = 0.205;  // m
 
-/// A handbot at (2, 3), and ahead of its left hand a brick whose near face is `gap` before the palm, and whose left
-/// face is `left` to the left of its axis.
+/// A handbot at (2, 3), and ahead of its left hand a brick. Its near face is `gap` from the palm, and its left face
+/// `left` to the left of the robot's axis.
 struct Palms {
   explicit Palms(double gap, double left = 0.3, std::shared_ptr<const EntityModel> model = robotModel("handbot")) {
     robot = world.add(std::move(model), {2.0, 3.0, 0.0});
@@ -59,8 +59,8 @@ TEST(HandbotProximityTest, ItsRaysAreDrawnAsFarAsTheyReach) {
 }
 
 TEST(HandbotVacuumTest, IsReachedInCupsThatLieOnSomething) {
-  // Cup 0 is 0.128 m to the left of the axis, cup 1 is 0.092 m; the brick ends at 0.132 m. Of cup 0 the five points of
-  // the lip that are at most 0.004 m to the left of its middle, and the middle, are on it: six of nine.
+  // Cup 0 is 0.128 m to the left of the axis, cup 1 is 0.092 m; the brick ends at 0.132 m. The centre of cup 0, and the
+  // five points of its lip that are at most 0.004 m to the left of the centre, are on the brick: six of nine.
   Palms palms(0.006, 0.132);
   SensorUnderTest<HandbotVacuum> vacuum(palms.world, palms.robot);
   ActuatorUnderTest<HandbotHands> hands(palms.world, palms.robot);

@@ -1,5 +1,5 @@
-// What any robot holds with: a footbot's gripper, a handbot's hands and rope as their own devices command and read
-// them.
+// Generic holders of any robot: a footbot's gripper, and a handbot's hands and rope, compared with their specific
+// devices.
 #include "swarmanoid_interface/devices/holders.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 using HoldersActuator = ActuatorUnderTest<Holders>;
 using HoldersSensor = SensorUnderTest<HolderStates>;
 
-// Holders of the handbot's model, by their indices there.
+// Indices of holders in the handbot's model.
 constexpr std::size_t kRightHandHolder = 1;
 constexpr std::size_t kRopeHolder = 2;
 
@@ -63,7 +63,7 @@ TEST(HoldersTest, CommandHandsAndRopeAsTheirOwnDevicesDo) {
   rope.command = {true, 0.13};
   holders.command.holders[kRightHandHolder].holds = true;
   holders.command.holders[kRopeHolder] = {true, 0.13};
-  holders.command.holders[3] = {true, 0.2};  // which it does not have
+  holders.command.holders[3] = {true, 0.2};  // the robot does not have it
   const auto expectSame = [&](double winding_speed) {
     hands.actuate();
     rope.actuate();

@@ -1,5 +1,5 @@
-// The inertial unit: turn rates and proper acceleration in the robot's frame, from the velocities of two ticks, 0.1 s
-// apart.
+// The inertial measurement unit: turn rates and proper acceleration in the robot's frame, from the velocities of two
+// ticks, 0.1 s apart.
 #include "swarmanoid_interface/devices/imu.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ class ImuTest : public testing::Test {
     world.pose(robot).orientation = orientation;
     world.space.entities.twist[robot] = {velocity, angular_velocity};
   }
-  /// What is read in the next tick, with the state that was set.
+  /// Readings of the next tick, with the state that was set.
   const Imu& next() {
     ++world.space.tick;
     return imu.sense();
@@ -113,8 +113,8 @@ TEST_F(ImuTest, InFreeFallItFeelsNothing) {
   }
 }
 
-/// A body that tumbles while it falls turns by 0.21 rad in a tick: two moments say what is between them to the second
-/// order: g * 0.21^2 / 4, and a little more the faster it falls.
+/// A tumbling body in free fall turns by 0.21 rad in a tick. Two velocities determine the acceleration in between to
+/// second order: the error is g * 0.21^2 / 4, and grows slightly with the falling speed.
 TEST_F(ImuTest, FallingAndTumblingItFeelsNextToNothing) {
   for (int tick = 0; tick < 5; ++tick) {
     set(turned(0.21 * tick, Eigen::Vector3d::UnitY()), {0.0, 0.0, -kGravity * kTick * tick}, {0.0, 2.1, 0.0});
@@ -125,7 +125,7 @@ TEST_F(ImuTest, FallingAndTumblingItFeelsNextToNothing) {
   }
 }
 
-/// The exchange with other processes may be given up after sensing, for somebody acts on the space, and made again.
+/// The exchange with other processes may be aborted after sensing, because of an action on the space, and repeated.
 TEST_F(ImuTest, ATickThatIsMadeAgainReadsTheSame) {
   set(Eigen::Quaterniond::Identity(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
   next();
@@ -137,11 +137,11 @@ TEST_F(ImuTest, ATickThatIsMadeAgainReadsTheSame) {
   expectNear(next().linear_acceleration, {0.0, 0.0, kGravity}, "and from there on");
 }
 
-/// Whoever puts it elsewhere takes its velocity from it: that is no crash.
+/// Moving a robot from outside stops it; that is no acceleration.
 TEST_F(ImuTest, BeingPutElsewhereIsNotFelt) {
   set(Eigen::Quaterniond::Identity(), {0.3, 0.0, 0.0}, {0.0, 0.0, 1.4});
   next();
-  world.space.placed[robot] = world.space.tick + 1;  // the tick to come
+  world.space.placed[robot] = world.space.tick + 1;  // the next tick
   set(turned(0.3, Eigen::Vector3d::UnitY()), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
   const Eigen::Vector3d at_rest(-kGravity * std::sin(0.3), 0.0, kGravity * std::cos(0.3));
   expectNear(next().linear_acceleration, at_rest, "put on a slope");

@@ -1,5 +1,4 @@
-// Joints of any robot: on a footbot and a handbot as their own devices command and read them, and on a robot whose
-// joints nobody else has.
+// Joints of any robot: a footbot's and a handbot's compared with their specific devices, and a robot with other joints.
 #include "swarmanoid_interface/devices/joints.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +59,7 @@ TEST(JointsTest, AnglesAreCutToTheStopsAndSpeedsToTheMotors) {
   joints.command.joints[2].turnAt(-0.9);
   joints.command.joints[3].letTurn();
   joints.command.joints[4].holdAngle(-1e300);
-  joints.command.joints[5].holdAngle(0.1);  // which it does not have
+  joints.command.joints[5].holdAngle(0.1);  // the robot does not have it
   const Joints& actuation = joints.actuate();
   EXPECT_EQ(actuation.joints[1].angle, 0.35);
   EXPECT_EQ(actuation.joints[2].speed, -0.8);
@@ -89,7 +88,7 @@ TEST(JointsTest, CommandAFootbotsTurretAsItsOwnDeviceDoes) {
   expectSame(Mode::kAngle, 0.0);
   turret.command.holdAngle(7.7);
   joints.command.joints[0].holdAngle(7.7);
-  expectSame(Mode::kAngle, 7.7);  // it turns without end
+  expectSame(Mode::kAngle, 7.7);  // without stops
   turret.command.turnAt(3.4);
   joints.command.joints[0].turnAt(3.4);
   expectSame(Mode::kSpeed, 3.0);

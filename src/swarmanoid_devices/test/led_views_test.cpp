@@ -1,4 +1,4 @@
-// The ring of LEDs of a footbot as a beacon and as a pointer, and that one device shows it.
+// The LED ring of a footbot as a beacon and as a pointer; only one device may control it.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -17,7 +17,7 @@ namespace {
 
 class LedViewsTest : public testing::Test {
  protected:
-  /// The LEDs of that colour.
+  /// Indices of the LEDs with a colour.
   std::vector<int> lit(Color color) const {
     std::vector<int> found;
     const Span<const Color> leds = world.space.leds[robot];
@@ -69,7 +69,7 @@ TEST_F(LedViewsTest, ADirectionIsShownByTheThreeLedsNearestToIt) {
   EXPECT_EQ(lit(colors::kBlack).size(), 9U);
 }
 
-/// Why a footbot with the first device does not take the second one.
+/// Reason why a footbot with the first device refuses the second one.
 template <class First, class Second>
 std::string refusalOfViews() {
   DeviceWorld world;

@@ -1,4 +1,4 @@
-// The LEDs of a ring in the readings of a camera: those that their own robot's body does not hide, by elementary
+// The LEDs of a ring in the readings of a camera: those that the body of their own robot does not hide, by elementary
 // geometry.
 #include <gtest/gtest.h>
 
@@ -18,11 +18,11 @@ namespace swarmanoid::test {
 namespace {
 
 constexpr int kLeds = 12;
-constexpr double kRing = 0.085;         // m, from the axis, as far as the body
+constexpr double kRing = 0.085;         // m, from the axis; equal to the body's radius
 constexpr double kLedHeight = 0.12;     // m
-constexpr double kBody = 0.08;          // m, the radius that hides LEDs: the body's minus 5 mm
-constexpr double kBottom = 0.015;       // m, likewise: from 0.01
-constexpr double kTop = 0.141;          // m, likewise: up to 0.146
+constexpr double kBody = 0.08;          // m, radius that hides LEDs: the body's minus 5 mm
+constexpr double kBottom = 0.015;       // m, bottom that hides LEDs: the body's 0.01 plus 5 mm
+constexpr double kTop = 0.141;          // m, top that hides LEDs: the body's 0.146 minus 5 mm
 constexpr double kCameraHeight = 0.28;  // m
 
 using Led = std::pair<int, int>;  // robot, LED
@@ -48,9 +48,9 @@ std::set<Led> ledsAmong(const ColorBlobs& seen) {
 
 double angleBetween(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * M_PI)); }
 
-/// Holds for a distant camera, whose lines of sight do not pass over the top: the tangent from a LED to the circle that
-/// hides touches it acos(kBody / kRing) beyond the LED, and the one from the camera acos(kBody / distance) beyond its
-/// own direction.
+/// For a distant camera, whose lines of sight do not pass over the top. The tangent from a LED to the circle that hides
+/// LEDs touches it acos(kBody / kRing) beyond the LED, and the tangent from the camera touches it acos(kBody /
+/// distance) beyond the direction of the camera.
 bool isOnNearSide(double led_direction, double camera_direction, double distance) {
   return angleBetween(led_direction, camera_direction) < std::acos(kBody / kRing) + std::acos(kBody / distance);
 }
@@ -104,8 +104,8 @@ TEST(LedVisibilityTest, FromAboveAllAreSeenUntilTheFarSideFallsBehindTheEdge) {
   }
 }
 
-/// Returns the least distance of a line of sight from the cylinder that hides LEDs (negative: it passes through), by
-/// sampling it in small steps. In the robot's frame.
+/// Returns the least distance of a line of sight from the cylinder that hides LEDs (negative: it intersects), by
+/// sampling in small steps. In the robot's frame.
 double clearanceOf(const Eigen::Vector3d& eye, const Eigen::Vector3d& led) {
   constexpr int kSteps = 20000;
   double least = 1.0;
@@ -144,7 +144,7 @@ TEST(LedVisibilityTest, AtAnyTiltAndFromAnySideTheBodyHidesWhatItStandsBefore) {
     for (int led = 0; led < kLeds; ++led) {
       const double direction = led * M_PI / 6.0;
       const Eigen::Vector3d place_of_led(kRing * std::cos(direction), kRing * std::sin(direction), kLedHeight);
-      // the wheels and the gripper are low and can hide an LED from below only
+      // the wheels and the gripper are low and can only hide an LED from below
       const double clearance = clearanceOf(eye, place_of_led);
       if (eye.z() > 0.1 && std::abs(clearance) > 1e-4) {
         EXPECT_EQ(seen.count({0, led}), clearance > 0.0 ? 1U : 0U) << "trial " << trial << ", LED " << led;
@@ -202,7 +202,7 @@ TEST(LedVisibilityTest, TheSameIsSeenHoweverTheRobotsAreSharedAmongThreads) {
   EXPECT_EQ(seenBy(5), expected);
 }
 
-/// Nine preys, each farther away or as far as the one before, the farthest with the lowest numbers.
+/// Nine preys, each at least as far away as the previous one, the farthest with the lowest numbers.
 class CameraOverflowTest : public testing::Test {
  protected:
   CameraOverflowTest() {
@@ -239,7 +239,7 @@ TEST_F(CameraOverflowTest, ANearSpotTakesTheFarthestOnesPlaceAndComesAfterEntiti
 }
 
 TEST_F(CameraOverflowTest, OfEquallyNearOnesTheOlderIsKept) {
-  // two more, mirrored so that both are 0.5 m away to the last bit
+  // two more, mirrored so that both are exactly 0.5 m away
   world.addPrey(5.3, 5.4, colorOf(30, 0), 0.03);
   world.addPrey(4.7, 4.6, colorOf(31, 0), 0.03);
   EXPECT_EQ(seen({{"max_blobs", "1"}}), (std::vector<int>{30}));

@@ -1,4 +1,4 @@
-// Cameras with a lens: footbots' and handbots' look ahead, one of eyebots is panned and tilted. 60 x 45 degrees.
+// Cameras with a lens: those of footbots and handbots look ahead, one of eyebots pans and tilts. 60 x 45 degrees.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ class OneLamp {
         lamp_(world.add(lightModel(), place, 0.0, colors::kRed)),
         camera_(world, robot_, parameters) {}
 
-  /// Puts the lamp somewhere in the robot's frame. @return whether it is seen
+  /// Places the lamp in the robot's frame. @return whether the camera sees it
   bool sees(const Vector3d& lamp) {
     world.pose(lamp_).position = world.pose(robot_).toWorld(lamp);
     const auto& blobs = camera_.sense().blobs;
@@ -30,7 +30,7 @@ class OneLamp {
     }
     return !blobs.empty();
   }
-  /// The same, in the camera's direction: to the left and up by angles in the picture [rad].
+  /// The same, relative to the camera's direction: to the left and up by angles in the picture [rad].
   bool seesInPicture(const Vector3d& mount, double left, double up) {
     return sees(mount + Vector3d(1.0, std::tan(left), std::tan(up)));
   }
@@ -108,7 +108,7 @@ TEST(HandbotCameraTest, LooksAheadFromTheHead) {
 
 const Vector3d kEyebotMount(0.085, 0.0, 0.17);
 
-/// The next tick of an actuator.
+/// Advances a tick and actuates.
 const EyebotPanTilt& next(DeviceWorld& world, ActuatorUnderTest<EyebotPanTilt>& mounting) {
   ++world.space.tick;
   return mounting.actuate();

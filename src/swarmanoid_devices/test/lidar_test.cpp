@@ -1,4 +1,4 @@
-// Lidar: each beam is the way along its own direction, by REP-117; scans come at their rate and keep their noise.
+// Lidar: each beam reads the distance along its direction, by REP-117; scans have their own rate and keep their noise.
 #include "swarmanoid_interface/devices/lidar.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ std::string refusalOfParameters(const Parameters& parameters) {
   return "";
 }
 
-/// The mount is at (2.0352021, 2.9922019) and looks to 0.62 rad, the wall's face is x = 2.95 from y = 1 to 5.
+/// The mount is at (2.0352021, 2.9922019) and looks to 0.62 rad; the wall's face is at x = 2.95, from y = 1 to 5.
 TEST(LidarTest, ReadsAWallByTheAngleOfEachBeam) {
   DeviceWorld world;
   const Row robot = world.add(robotWithLidar(), {2.0, 3.0, 0.0}, 0.37);
@@ -81,7 +81,7 @@ TEST(LidarTest, AWholeTurnHasNoBeamTwiceAndASingleBeamLooksAhead) {
   EXPECT_EQ(3.5F, usual.sense().range_max);
 }
 
-/// However many beams there are, and however wide they look: each is a ray of its own.
+/// For any number of beams and any field of view, each beam equals a single ray.
 TEST(LidarTest, AllBeamsAreThoseThatAreCastOneByOne) {
   DeviceWorld world;
   const Row robot = world.add(robotWithLidar({{0.05, 0.01, 0.12}, turned(-0.4, 0.03), -1}), {5.0, 5.0, 0.3}, 0.7);
@@ -104,7 +104,7 @@ TEST(LidarTest, AllBeamsAreThoseThatAreCastOneByOne) {
             pose.orientation * (turned(-0.4, 0.03) * (turned(beam.angle) * Eigen::Vector3d::UnitX()));
         const RayHit hit = world.space.castRay({from, from + 3.5 * direction}, robot, kNoRow);
         const float expected = hit.isHit() ? Distance::reading(3.5 * hit.fraction, Lidar::kUsualRange) : kNothing;
-        // angles are rounded to float: beams that graze something may miss it
+        // angles are rounded to float, so beams at grazing incidence may miss
         if (std::isfinite(expected) && std::isfinite(beam.range)) {
           EXPECT_NEAR(expected, beam.range, 1e-3) << beams << " beams, " << view << " degrees, " << beam.angle;
           ++hits;
@@ -124,12 +124,12 @@ TEST(LidarTest, ATiltedMountSeesTheFloor) {
   SensorUnderTest<Lidar> sensor(world, robot, {{"beams", "3"}, {"field_of_view", "120"}});
   const Lidar& lidar = sensor.sense();
   EXPECT_NEAR(0.3 / std::sin(0.5), lidar.beams[1].range, 1e-6);
-  // a beam at 60 degrees goes down by half as much
+  // a beam at 60 degrees descends half as steeply
   EXPECT_NEAR(0.6 / std::sin(0.5), lidar.beams[0].range, 1e-6);
   EXPECT_NEAR(0.6 / std::sin(0.5), lidar.beams[2].range, 1e-6);
 }
 
-/// Readings of a lidar in the middle of a room of 4 m by 3 m, tick by tick.
+/// Readings of a lidar in the centre of a room of 4 m by 3 m, tick by tick.
 std::vector<std::vector<double>> readingsInARoom(const Parameters& parameters, int ticks, std::uint64_t seed = 1) {
   DeviceWorld world(seed);
   const Row robot = world.add(robotWithLidar(), {5.0, 5.0, 0.0}, 0.37);
@@ -195,7 +195,7 @@ TEST(LidarTest, NoiseLeavesInfinitiesAndTheRange) {
   EXPECT_GT(finite, 100);
 }
 
-/// Four scans in a second, ten ticks in a second: at 1.0, 1.3 (1.25 is over), 1.5, 1.8 (1.75), 2.0, ...
+/// Four scans and ten ticks a second: scans at 1.0, 1.3 (for 1.25), 1.5, 1.8 (for 1.75), 2.0, ...
 TEST(LidarTest, ScansComeAtTheirRateAndKeepTheirNoiseAndTheirAge) {
   DeviceWorld world;
   const Row robot = world.add(robotWithLidar({{0.0, 0.0, 0.1}, turned(0.0), -1}), {2.0, 3.0, 0.0});

@@ -1,5 +1,4 @@
-// What light sensors add up, they add up in the order of entity numbers: the same sources give the same bits, whichever
-// rows they have.
+// Light sensors sum sources in the order of entity numbers: the same sources give the same bits in any order of rows.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,11 +14,11 @@ namespace swarmanoid::test {
 namespace {
 
 constexpr int kLamps = 12;
-constexpr int kCrowd = 70;  // more lamps than are looked at one by one
+constexpr int kCrowd = 70;  // more lamps than are checked one by one
 constexpr std::size_t kSensors = 24;
 const Eigen::Vector3d kCentre(5.0, 5.0, 0.3);
 
-/// Around the sensors, 0.5 to 1.1 m away.
+/// Positions around the sensors, 0.5 to 1.1 m away.
 Eigen::Vector3d placeOfLamp(int lamp) {
   const double angle = 2.4 * lamp;
   const double way = 0.5 + 0.05 * lamp;
@@ -41,7 +40,7 @@ devices::IlluminatedSensor sensor(std::size_t i) {
 
 using Sums = std::array<double, kSensors>;
 
-/// Of the sensors, when all that shines is asked about.
+/// Sums of the sensors over all lit entities.
 Sums sumsIn(DeviceWorld& world) {
   world.takePoses();
   std::array<devices::IlluminatedSensor, kSensors> sensors;
@@ -72,7 +71,7 @@ Sums sumsIn(DeviceWorld& world) {
   return sums;
 }
 
-/// Adds the lamps, so that their numbers have their order. @param rows which they get @return the sums of the sensors
+/// Adds the lamps in the order of their numbers. @param rows output: rows of the lamps @return sums of the sensors
 Sums sumsOfLamps(DeviceWorld& world, std::vector<Row>& rows) {
   for (int lamp = 0; lamp < kLamps; ++lamp) {
     rows.push_back(world.add(lightModel(), placeOfLamp(lamp), 0.0, colorOfLamp(lamp)));
@@ -94,7 +93,7 @@ TEST(LightOrderTest, SourcesAreAddedInTheOrderOfTheirNumbers) {
   for (int i = 0; i < kLamps; ++i) {
     gone.push_back(other.add(lightModel(), {1.0, 1.0, 1.0}, 0.0, colors::kWhite));
   }
-  // some rows are free again later than others, so those who come get them in another order
+  // some rows are freed later than others, so new entities get them in another order
   for (int i = 0; i < kLamps; ++i) {
     other.remove(gone[static_cast<std::size_t>((5 * i) % kLamps)]);
   }
@@ -122,7 +121,7 @@ TEST(LightOrderTest, SourcesAreAddedInTheOrderOfTheirNumbers) {
   EXPECT_GT(sensitive, 0) << "the order of rows would give other bits";
 }
 
-// Few lamps are looked at one by one, many by the index, which says which of them are in reach.
+// A few lamps are checked one by one; many are found with the index.
 TEST(LightOrderTest, LampsOutOfReachChangeNothingHoweverMany) {
   DeviceWorld world;
   std::vector<Row> rows;

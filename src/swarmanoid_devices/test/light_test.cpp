@@ -1,5 +1,5 @@
-// Light sensors: the sum of brightness * cos(angle) * (0.1 m / distance)^2 over all LEDs and lamps that nothing hides,
-// at most 1. A footbot has them where its 24 infrared sensors are: 0.085 m from its axis, 0.06 m above the ground.
+// Light sensors: the sum of brightness * cos(angle) * (0.1 m / distance)^2 over all visible LEDs and lamps, at most 1.
+// A footbot has them at its 24 infrared sensors: 0.085 m from its axis, 0.06 m above the ground.
 #include "swarmanoid_interface/devices/light.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Feels LEDs at any distance, if the parameters say nothing else.
+/// Responds to LEDs at any distance by default.
 struct LightSensor : SensorUnderTest<Light> {
   LightSensor(DeviceWorld& world, Row row, Parameters parameters = {})
       : SensorUnderTest<Light>(world, row, (parameters.insert({"led_range", "100"}), parameters)) {}
@@ -22,7 +22,7 @@ struct LightSensor : SensorUnderTest<Light> {
 
 constexpr std::size_t kCount = 24;
 constexpr double kLightRingRadius = 0.085;  // m, of the ring
-constexpr double kHeight = 0.06;            // m, likewise
+constexpr double kHeight = 0.06;            // m, of the ring
 constexpr double kUsualRange = 2.0;
 constexpr double kStep = M_PI / 12.0;
 
@@ -31,7 +31,7 @@ struct Source {
   double brightness;
 };
 
-/// What a sensor gets from sources, none of which is hidden, by angles.
+/// Light of unoccluded sources on a sensor, computed by angles.
 double lightOn(const Eigen::Vector3d& sensor, const Eigen::Vector3d& looks, const std::vector<Source>& sources) {
   double sum = 0.0;
   for (const Source& source : sources) {
@@ -45,7 +45,7 @@ double lightOn(const Eigen::Vector3d& sensor, const Eigen::Vector3d& looks, cons
   return std::min(sum, 1.0);
 }
 
-/// Where sensor `i` of a footbot is and where it looks, in W.
+/// Position and direction of sensor `i` of a footbot, in W.
 Eigen::Vector3d placeOf(const Pose& pose, std::size_t i) {
   const double angle = kStep * static_cast<double>(i);
   return pose.toWorld({kLightRingRadius * std::cos(angle), kLightRingRadius * std::sin(angle), kHeight});
@@ -55,7 +55,7 @@ Eigen::Vector3d looksOf(const Pose& pose, std::size_t i) {
   return pose.orientation * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
 }
 
-/// @return how many sensors read something
+/// @return number of sensors with a reading above 0
 int expectLight(const Light& found, const Pose& pose, const std::vector<Source>& sources) {
   int lit = 0;
   EXPECT_EQ(found.sensors.size(), kCount);
@@ -101,7 +101,7 @@ TEST_F(LightTest, ALampIsReadByAngleAndDistance) {
 TEST_F(LightTest, OneReadingIsWorkedOutByHand) {
   world.pose(robot).orientation.setIdentity();
   addLamp({4.0 + kLightRingRadius + 0.4, 5.3, kHeight}, colors::kBlue);  // 0.5 m from sensor 0, cosine 0.8
-  LightSensor sensor(world, robot);                                      // keeps the list of readings
+  LightSensor sensor(world, robot);                                      // owns the list of readings
   const Light& light = sensor.sense();
   EXPECT_NEAR(light.sensors[0].value, 0.8 * 0.04 / 3.0, 1e-7);
   EXPECT_EQ(light.sensors[12].value, 0.0F) << "looks away";
@@ -176,13 +176,13 @@ TEST_F(LightTest, AWallHidesALed) {
   EXPECT_GT(expectLight(light.sense(), world.pose(robot), {{{4.6 - kLightRingRadius, 5.0, 0.12}, 1.0 / 3.0}}), 5);
 }
 
-/// Each sensor has a line of sight of its own.
+/// Each sensor has its own line of sight.
 TEST_F(LightTest, APoleShadesSomeOfTheSensors) {
   const Eigen::Vector2d lamp(5.1, 5.2);
   const Eigen::Vector2d pole(4.36, 5.07);
   addLamp({lamp.x(), lamp.y(), kHeight});
   world.addPrey(pole.x(), pole.y(), colors::kBlack, 0.02);
-  LightSensor sensor(world, robot);  // keeps the list of readings
+  LightSensor sensor(world, robot);  // owns the list of readings
   const Light& light = sensor.sense();
   int shaded = 0;
   int lit = 0;
@@ -224,7 +224,7 @@ TEST_F(LightTest, LedsGiveNoLightWhereNothingIsSaidOfThem) {
 
 TEST_F(LightTest, LedsMayHaveAShorterReachThanLamps) {
   world.pose(robot).orientation.setIdentity();
-  const Row other = world.addFootbot(4.0 + kLightRingRadius + 0.7, 5.0, M_PI);  // its LED 0 looks here
+  const Row other = world.addFootbot(4.0 + kLightRingRadius + 0.7, 5.0, M_PI);  // its LED 0 looks at the robot
   world.space.leds[other][0] = colors::kWhite;
   const auto brightest = [&](const std::string& led_range) {
     LightSensor light(world, robot, {{"range", "1.3"}, {"led_range", led_range}});
@@ -232,7 +232,7 @@ TEST_F(LightTest, LedsMayHaveAShorterReachThanLamps) {
     light.sensor->remove(world.space, robot);
     return strongest;
   };
-  // the LED is 0.618 m from sensor 0, the nearest
+  // the LED is 0.618 m from sensor 0, the nearest one
   EXPECT_GT(brightest("0.9"), 0.005);
   EXPECT_EQ(brightest("0.6"), 0.0);
   EXPECT_EQ(brightest("50"), brightest("0.9")) << "the range holds for all";
@@ -262,7 +262,7 @@ TEST_F(LightTest, SensorsOfTheirOwnTakeThePlaceOfInfraredOnes) {
       Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(-0.9, Eigen::Vector3d::UnitY());
   const Row own = world.add(model, {7.0, 7.0, 0.0});
   addLamp({7.1, 7.2, 0.9}, colors::kGreen);
-  LightSensor sensor(world, own);  // keeps the list of readings
+  LightSensor sensor(world, own);  // owns the list of readings
   const Light& light = sensor.sense();
   ASSERT_EQ(light.sensors.size(), 2U);
   const Eigen::Vector3d origin(7.0, 7.0, 0.0);
@@ -276,7 +276,7 @@ TEST_F(LightTest, SensorsOfTheirOwnTakeThePlaceOfInfraredOnes) {
   EXPECT_NEAR(light.sensors[1].angle, M_PI, 1e-6);
 }
 
-/// Around its ducts, 0.25 m from its axis and 0.29 m above its feet.
+/// Sensors around the ducts, 0.25 m from the eyebot's axis and 0.29 m above its feet.
 TEST_F(LightTest, AnEyebotHas24AroundItsDucts) {
   const Row eyebot = world.addEyebot(5.0, 5.0, 1.2, 0.41);
   addLamp({5.9, 4.65, 0.4});
@@ -310,7 +310,7 @@ std::shared_ptr<EntityModel> footbotWithLightLinks(int count) {
   return model;
 }
 
-/// It has 24 links proximity_0, ... too, which do not count beside a light_0.
+/// The model also has 24 links proximity_0, ..., which do not count if there is a light_0.
 TEST_F(LightTest, ARefusalSaysWhichLinksWereTakenAndHowMany) {
   const Row crowded = world.add(footbotWithLightLinks(65), {7.0, 7.0, 0.0});
   try {

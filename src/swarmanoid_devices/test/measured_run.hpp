@@ -1,4 +1,4 @@
-/// Robots that stand as said, without engines, and a rule that measures them: for tests of what it measures.
+/// Robots at given poses, without engines, and a rule that measures them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace swarmanoid::test {
 
-/// Where a footbot stands, and heads to.
+/// Position and heading of a footbot.
 struct Stand {
   double x = 0.0;        ///< m
   double y = 0.0;        ///< m
@@ -30,10 +30,10 @@ inline std::string standingFootbot(const std::string& id, const Stand& stand) {
          ",0</position><orientation>0,0," + numberText(stand.heading * 180.0 / M_PI) + "</orientation></footbot>\n";
 }
 
-/// Ticks of 0.1 s in an arena of 10 m x 10 m; footbots fb_1, fb_2, ..., and one that does not count by its name.
+/// Ticks of 0.1 s in an arena of 10 m x 10 m; footbots fb_1, fb_2, ..., and one with a name outside the group.
 class MeasuredRun {
  public:
-  /// @param rule with the id `r` @param more of the arena
+  /// @param rule with the id `r` @param more further elements of the arena
   explicit MeasuredRun(const std::string& rule, const std::vector<Stand>& stands, const std::string& more = "")
       : simulation_(make(rule, stands, more)) {
     simulation_->start();
@@ -45,10 +45,10 @@ class MeasuredRun {
       simulation_->tick();
     }
   }
-  /// At once; it is seen after the next tick.
+  /// Takes effect at once; the rule measures it after the next tick.
   void put(const std::string& entity, const Stand& stand) { simulation_->apply(MoveEntity{entity, poseOf(stand)}); }
   void remove(const std::string& entity) { simulation_->apply(DeleteEntity{entity}); }
-  /// A footbot as those of the file.
+  /// Adds a footbot like those of the file.
   void spawn(const std::string& id, const Stand& stand) {
     EntityDescription robot = simulation_->experiment().arena.entities.front();
     robot.id = id;
@@ -76,7 +76,7 @@ class MeasuredRun {
   std::unique_ptr<Simulation> simulation_;
 };
 
-/// @return the heap allocations of a tick after some
+/// @return number of heap allocations of a tick in a steady state
 inline long allocationsOfATick(MeasuredRun& run) {
   constexpr int kSome = 5;
   run.tick(kSome);
@@ -85,7 +85,7 @@ inline long allocationsOfATick(MeasuredRun& run) {
   return heap_allocations - before;
 }
 
-/// What is said of a rule that is wrong, "" if it is not.
+/// Reason why a rule is refused, or "" if it is accepted.
 inline std::string refusalOfRule(const std::string& rule) {
   try {
     const MeasuredRun run(rule, {{1.0, 1.0, 0.0}});

@@ -1,4 +1,4 @@
-// A radio by the family of messages: what another device than range and bearing has to say is what stands here.
+// A radio built from the base classes of messages: this file has all that such a device needs.
 #include <gtest/gtest.h>
 
 #include <vector>

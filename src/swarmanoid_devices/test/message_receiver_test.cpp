@@ -1,5 +1,5 @@
-// What all receivers of messages have in common: when messages arrive, their order, slots, losses and errors, and what
-// robots that come, go and stop mean for them. The receivers are boards of range and bearing.
+// Behaviour that all message receivers share: delays, order, slots, losses and errors of messages, and the effect of
+// robots that are added, removed and stopped. The receivers are range-and-bearing boards.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,13 +22,13 @@ std::vector<int> firstBytes(const Board& board) {
   return bytes;
 }
 
-/// A robot in the middle, and others in odd directions at these distances, which send 1, 2, ...
+/// A robot in the centre, and others in several directions at these distances, which send 1, 2, ...
 struct Circle {
   Circle(const std::vector<double>& distances, const Parameters& parameters, std::uint64_t seed = 1)
       : world(parameters, {}, seed) {
     middle = world.footbot(5.0, 5.0, 0.4);
     for (std::size_t i = 0; i < distances.size(); ++i) {
-      const double angle = 0.3 + 1.1 * static_cast<double>(i);  // apart enough that nobody hides another one
+      const double angle = 0.3 + 1.1 * static_cast<double>(i);  // far enough apart to avoid occlusion
       around.push_back(world.footbot(5.0 + distances[i] * std::cos(angle), 5.0 + distances[i] * std::sin(angle)));
       around.back().command->send({static_cast<std::uint8_t>(i + 1)});
     }
@@ -49,7 +49,7 @@ TEST(MessageReceiverTest, NobodyHearsItselfOrWhoIsSilent) {
   world.exchange();
   EXPECT_TRUE(a.messages().empty());
   EXPECT_EQ(firstBytes(b), std::vector<int>{7});
-  world.addFootbot(5.5, 6.0);  // has no board at all
+  world.addFootbot(5.5, 6.0);  // without a board
   world.exchange();
   EXPECT_EQ(firstBytes(b), std::vector<int>{7}) << "said again in each tick";
 }
@@ -145,7 +145,7 @@ TEST(MessageReceiverTest, OfMoreThanTheSlotsTheNearestAreReportedInTheirOrder) {
 TEST(MessageReceiverTest, OfEquallyNearSendersTheOneOfTheLowerNumberIsReported) {
   MessageWorld world(Parameters{{"slots", "2"}});
   const Board robot = world.footbot(5.0, 5.0);
-  const double places[][2] = {{6.0, 5.0}, {5.0, 6.0}, {4.5, 5.0}, {5.0, 4.0}};  // 1, 1, 0.5 and 1 m away, exactly
+  const double places[][2] = {{6.0, 5.0}, {5.0, 6.0}, {4.5, 5.0}, {5.0, 4.0}};  // exactly 1, 1, 0.5 and 1 m away
   std::uint8_t byte = 0;
   for (const auto& place : places) {
     world.footbot(place[0], place[1]).command->send({++byte});
@@ -167,7 +167,7 @@ TEST(MessageReceiverTest, AnyNumberOfSendersIsHeardByTheDefinition) {
     const auto distanceTo = [&](int i) {
       return (world.pose(others[static_cast<std::size_t>(i)].row).position - world.pose(robot.row).position).norm();
     };
-    std::vector<int> expected;  // the nearest of as many as there are slots, by number
+    std::vector<int> expected;  // the nearest ones, as many as there are slots, by number
     for (int i = 0; i < quantity; ++i) {
       expected.push_back(i);
     }
@@ -202,7 +202,7 @@ TEST(MessageReceiverTest, MessagesAreLostByChance) {
   constexpr double kLoss = 0.3;
   Circle circle({1.4, 0.5, 1.9, 0.9, 0.7}, {{"loss", "0.3"}});
   circle.middle.command->send({9});
-  // of five messages a tick 20,000 ticks make 100,000 draws
+  // five messages a tick for 20,000 ticks make 100,000 draws
   constexpr int kTicks = 20000;
   int heard = 0;
   int pairs = 0;  // of the first two
@@ -331,7 +331,7 @@ TEST(MessageReceiverTest, DistanceLosesMessagesOfBoardsTooIfTheExperimentSaysSo)
       ++of_sender[static_cast<std::size_t>(byte)];
     }
   }
-  // of a range of 3 m
+  // with a range of 3 m
   EXPECT_NEAR(of_sender[1], 0.6 * kTicks, 4.0 * std::sqrt(0.6 * 0.4 * kTicks));
   EXPECT_NEAR(of_sender[2], 0.84 * kTicks, 4.0 * std::sqrt(0.84 * 0.16 * kTicks));
 }

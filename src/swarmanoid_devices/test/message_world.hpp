@@ -1,4 +1,4 @@
-/// Worlds of robots with boards of range and bearing, whose messages are worked out by hand.
+/// Worlds of robots with range-and-bearing boards, whose messages are computed by hand.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace swarmanoid::test {
 
-/// The board of one robot: what it is commanded to send, and what it has received.
+/// The board of one robot: its command, and the messages that it has received.
 struct Board {
   Row row = kNoRow;
   RangeAndBearing* command = nullptr;
@@ -26,7 +26,7 @@ class MessageWorld : public DeviceWorld {
         receiver(makeDevice<Sensor>(PluginKind::kSensor, RangeAndBearingReceived::kType, parameters, errors)),
         sender(makeDevice<Actuator>(PluginKind::kActuator, RangeAndBearing::kType, {})) {}
 
-  /// Gives a robot a board, the sensor first, as simulations do.
+  /// Adds a board to a robot, the sensor first, as simulations do.
   Board equip(Row row) {
     Board board;
     board.row = row;
@@ -43,7 +43,7 @@ class MessageWorld : public DeviceWorld {
     DeviceWorld::remove(board.row);
   }
 
-  /// Commands become actuations, then, in the next tick, readings.
+  /// Commands become actuations, and in the next tick readings.
   void exchange() {
     actuate(*sender);
     ++space.tick;

@@ -1,5 +1,5 @@
-// Cameras find what hides a LED by boxes around things, and few rays: the same as by a ray to each LED, to the last
-// bit.
+// Occlusion of LEDs in cameras, found with boxes around entities and few rays, equals that of one ray to each LED, bit
+// for bit.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,7 +11,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A world in which everything is anywhere: robots of all types, some tilted, walls at any angle, preys and lamps.
+/// A world of entities at random poses: robots of all types, some tilted, walls at any angle, preys and lamps.
 class CrowdedWorld {
  public:
   explicit CrowdedWorld(std::uint64_t seed) : random_(seed) {
@@ -86,7 +86,7 @@ TEST(NearObstaclesTest, HideASpotOnTheGroundAsARayWould) {
   world.space.laser_spots.push_back({EntityNumber{1}, Eigen::Vector3d::Zero(), {6.0, 5.3, 0.0}, colors::kRed});
   SensorUnderTest<FootbotCamera> camera(world, watcher);
   EXPECT_EQ(camera.sense().blobs.size(), 1U);
-  // the line from 0.28 m falls to 0.14 m in the middle, at (5.5, 5.15)
+  // the line from 0.28 m is 0.14 m high half way, at (5.5, 5.15)
   const Row low = world.addWall({0.02, 0.02, 0.13}, {5.5, 5.15});
   EXPECT_EQ(camera.sense().blobs.size(), 1U);
   world.remove(low);

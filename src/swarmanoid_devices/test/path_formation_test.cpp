@@ -1,5 +1,5 @@
-// The rule `path_formation`, without engines: who belongs to a path from nest to prey, and when there was one. With
-// robots that make it: swarmanoid_experiments/test/chain_formation_test.cpp.
+// The rule `path_formation`, without engines: the robots of a path from nest to prey, and the time of the first path.
+// With robots that form it: swarmanoid_experiments/test/chain_formation_test.cpp.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -41,7 +41,7 @@ class PathFormationTest : public testing::Test {
 
   double metric(const std::string& name) const { return std::get<double>(simulation.metrics().at("p." + name)); }
 
-  /// Nobody commands LEDs here: what they show is set in the space, as an actuator would.
+  /// No controller commands LEDs here: the test sets their colours in the space, as an actuator would.
   void show(const std::string& robots, Color color) {
     Space& space = const_cast<Space&>(simulation.space());
     for (const char robot : robots) {
@@ -74,7 +74,7 @@ TEST_F(PathFormationTest, ItsRobotsShineAndAreInReachOfEachOther) {
   EXPECT_EQ(lengthAfterTick(), 0.0) << "from f to the prey it is 0.99 m";
 }
 
-/// From robot a to robot b, which are in reach of each other; with links by the detour d, e, f, c.
+/// From robot a to robot b, which are within reach of each other; there are links along the detour d, e, f, c.
 class PathOfRobotsTest : public PathFormationTest {
  protected:
   PathOfRobotsTest() : PathFormationTest("<nest>a</nest><prey>b</prey><ends>false</ends>") {}

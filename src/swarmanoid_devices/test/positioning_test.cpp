@@ -17,7 +17,7 @@ TEST(PositioningTest, AnyRobotIsWhereItIsAndLiesAsItLies) {
     EXPECT_EQ(Eigen::Vector3d(3.7, 8.1, 0.6), sensor.sense().position) << type;
     EXPECT_NEAR(2.3, sensor.sense().heading, 1e-12) << type;
     EXPECT_NEAR(0.0, sensor.sense().roll, 1e-12) << type;
-    // nose down by 0.4 after its left side was lifted by 0.2, then turned to the right by 1.9
+    // rolled to lift its left side by 0.2, then pitched nose down by 0.4, then turned to the right by 1.9
     world.pose(robot).orientation = Eigen::AngleAxisd(-1.9, Eigen::Vector3d::UnitZ()) *
                                     Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitY()) *
                                     Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX());

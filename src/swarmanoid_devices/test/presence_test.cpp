@@ -1,4 +1,4 @@
-// The rules `area_coverage` and `region_count`: squares that robots have visited, and who is in a region.
+// The rules `area_coverage` and `region_count`: squares visited by robots, and counts of entities in a region.
 #include "measured_run.hpp"
 
 namespace swarmanoid::test {
@@ -12,7 +12,7 @@ std::string count(const std::string& values) {
   return "<region_count id='r'>\n<robots>fb_</robots>\n" + values + "\n</region_count>";
 }
 
-/// 3.7 m x 2.2 m in squares of 0.7 m: 5 x 3 are whole, and the strips beside them do not count.
+/// 3.7 m x 2.2 m in squares of 0.7 m: 5 x 3 complete squares; the remaining strips do not count.
 TEST(AreaCoverageTest, CountsSquaresThatAreWholeAndVisited) {
   MeasuredRun run(coverage("<minimum>1.3, 2.1</minimum><maximum>5, 4.3</maximum><cell>0.7</cell>"),
                   {{1.35, 2.15}, {1.9, 2.7}, {0.9, 3.0}, {4.9, 4.25}});

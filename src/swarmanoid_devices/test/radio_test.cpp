@@ -1,4 +1,4 @@
-// WiFi and Bluetooth: who is heard by whom, what is lost with the distance, and what a channel carries that many share.
+// WiFi and Bluetooth: the receivers of messages, losses over distance, and the capacity of a shared channel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// One kind of radio on robots of a world.
+/// Radios of one type on the robots of a world.
 template <class Radio, class Received>
 class RadioWorld : public DeviceWorld {
  public:
@@ -146,7 +146,7 @@ TEST(RadioTest, AChannelCarriesSevenMessagesOfTheNearest) {
     other.command->send({static_cast<std::uint8_t>(i)});
   }
   world.exchange();
-  // the farthest are those with 4 i modulo 9 of 0 and 1: 0 and 7
+  // the farthest have 4 i modulo 9 equal to 0 and 1: i is 0 and 7
   EXPECT_EQ(middle.heard(), (std::vector<int>{1, 2, 3, 4, 5, 6, 8}));
   EXPECT_TRUE(middle.received->overflowed);
 }
@@ -224,7 +224,7 @@ TEST(RadioTest, WhoElseSendsDoesNotChangeWhichMessagesAreLost) {
   EXPECT_EQ(heardOfFirst(200), alone) << "of whom nobody is nearer";
 }
 
-/// Few senders are looked at one by one, many by the index, from near to far: both find the nearest, whoever senses.
+/// A few senders are checked one by one; many are found with the index, from near to far. Both find the nearest.
 TEST(RadioTest, InACrowdTheNearestAreHeard) {
   constexpr int kRobots = 300;
   for (const int senders : {3, 40, 60, 300}) {

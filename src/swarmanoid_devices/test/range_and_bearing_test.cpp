@@ -1,5 +1,5 @@
-// Range and bearing: who is heard, and where the sender is measured to be. A footbot's transmitter is on its axis, 0.13
-// m above the ground, an eyebot's 0.22 m above its origin.
+// Range and bearing: the messages that are received, and the measured positions of senders. The transmitter of a
+// footbot is on its axis, 0.13 m above the ground; that of an eyebot is 0.22 m above its origin.
 #include "swarmanoid_interface/devices/range_and_bearing.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTransmitterHeight = 0.13;  // m, of footbots' transmitters
 
-/// The message of the only one who is heard.
+/// The only message that was received.
 RangeAndBearingMessage only(const Board& board) {
   EXPECT_EQ(board.messages().size(), 1U);
   return board.messages().empty() ? RangeAndBearingMessage{} : board.messages()[0];
@@ -55,8 +55,8 @@ TEST(RangeAndBearingTest, AnEyebotAndAFootbotBelowItMeasureElevations) {
   expectPlace(only(eyebot), 1.5811388, -2.6142974, -1.2490458);
 }
 
-/// The places of the transmitters, by hand: of the handbot (4.996176, 4.996779, 0.205), of the footbot (5.9, 4.6,
-/// 0.13), of the eyebot (4.4, 5.8, 1.32).
+/// Positions of the transmitters, computed by hand: handbot (4.996176, 4.996779, 0.205), footbot (5.9, 4.6, 0.13),
+/// eyebot (4.4, 5.8, 1.32).
 TEST(RangeAndBearingTest, RobotsOfAllTypesHearEachOther) {
   MessageWorld world;
   const Board handbot = world.equip(world.add(robotModel("handbot"), {5.0, 5.0, 0.0}, 0.7));
@@ -164,7 +164,7 @@ TEST(RangeAndBearingTest, AThirdRobotHidesWhomItStandsBefore) {
   world.exchange();
   EXPECT_EQ(robot.messages().size(), 1U);
   EXPECT_EQ(other.messages().size(), 1U);
-  world.pose(between).position = {7.2, 5.0, 0.0};  // behind the other one
+  world.pose(between).position = {7.2, 5.0, 0.0};  // behind the other robot
   world.exchange();
   EXPECT_EQ(robot.messages().size(), 1U);
   world.pose(between).position = {4.85, 5.0, 0.0};  // behind the robot
@@ -172,8 +172,8 @@ TEST(RangeAndBearingTest, AThirdRobotHidesWhomItStandsBefore) {
   EXPECT_EQ(robot.messages().size(), 1U);
 }
 
-/// In a crowd with walls, preys and robots in the air, all at odd places, those are heard whom Space::isOccluded does
-/// not find hidden.
+/// In a crowd with walls, preys and flying robots at random poses, those senders are received that Space::isOccluded
+/// does not find hidden.
 TEST(RangeAndBearingTest, ACrowdHearsWhomNothingHides) {
   MessageWorld world;
   RandomStream random(5, "crowd", "places");
@@ -240,7 +240,7 @@ TEST(RangeAndBearingTest, ATransmitterOnAJointTurnsWithIt) {
   const Board turning = world.equip(world.add(model, {5.0, 5.0, 0.0}, 0.3));
   const Board other = world.footbot(5.0, 6.5);
   turning.command->send({1});
-  world.space.joints[turning.row][0].angle = M_PI / 2.0 - 0.3;  // straight towards the other one
+  world.space.joints[turning.row][0].angle = M_PI / 2.0 - 0.3;  // straight towards the other robot
   world.exchange();
   expectPlace(only(other), std::hypot(1.5 - 0.11, 0.08), -M_PI / 2.0, -std::atan2(0.08, 1.39));
 }

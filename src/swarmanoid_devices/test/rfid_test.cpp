@@ -1,4 +1,4 @@
-// Readers and writers of radio tags, whose antenna is 0.01 m over the ground on the axis of a footbot.
+// Readers and writers of radio tags; the antenna of a footbot is on its axis, 0.01 m above the ground.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -161,7 +161,7 @@ TEST(RfidTest, WhatIsWrittenIsReadInTheNextTickAndIsInTheHashOfTheState) {
   EXPECT_EQ(reader.sense().tags[0].data, 2U);
 }
 
-/// A tag as packages may bring them: on a thing with a body, and with little room.
+/// A tag of a package: on an entity with shapes, and with a smaller range of data.
 std::shared_ptr<EntityModel> smallTag() {
   auto model = std::make_shared<EntityModel>(*cylindricPreyModel(0.03, 0.1));
   model->properties = {{kTagData, "", "What it holds.", {0.0, 255.0}, 17.0}, {kTag, "", "Its id.", kTagRange, 6.0}};

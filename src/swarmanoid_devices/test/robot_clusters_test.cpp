@@ -1,5 +1,4 @@
-// The rule `robot_clusters`: what it counts of robots whose places are known, and what a plain look at all pairs
-// counts.
+// The rule `robot_clusters`: its metrics for robots at known positions, and compared with a check of all pairs.
 #include <algorithm>
 #include <random>
 
@@ -14,7 +13,7 @@ std::string rule(double distance, const std::string& more = "") {
 }
 
 TEST(RobotClustersTest, ChainsOfNearRobotsAreClusters) {
-  // a chain of three around a corner, a pair, one alone: steps of 0.47 m and 0.51 m, in directions of no special angle
+  // a chain of three around a corner, a pair, one alone: steps of 0.47 m and 0.51 m, in arbitrary directions
   const double bend = 0.83;  // rad
   const Stand a{2.1, 1.3, 0.0};
   const Stand b{a.x + 0.47 * std::cos(0.31), a.y + 0.47 * std::sin(0.31), 0.0};
@@ -65,7 +64,7 @@ TEST(RobotClustersTest, BetweenMeasurementsTheLastValuesStay) {
   EXPECT_EQ(run.metric("number"), 2.0);
 }
 
-/// By painting from each robot on, over all pairs.
+/// By flood fill from each robot, over all pairs.
 std::vector<std::size_t> sizesByLookingAtAll(const std::vector<Stand>& stands, double distance) {
   std::vector<char> is_seen(stands.size(), 0);
   std::vector<std::size_t> sizes;

@@ -1,4 +1,4 @@
-// Rings of sensors whose readings are from tables: what they take for distance and angle, in worlds computed by hand.
+// Rings of sensors with readings from tables: the distances and angles that they look up, in worlds computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ class SampledRingTest : public testing::Test {
     return {{"implementation", "sampled"}, {"file", file}};
   }
 
-  /// Puts a wall before sensor 6 of the robot, which looks along x. @param lean of its surface about z [rad]
+  /// Places a wall before sensor 6 of the robot, which looks along x. @param lean rotation of its surface about z [rad]
   void placeWall(Row wall, double distance, double lean) {
     const Eigen::Vector3d inwards(std::cos(lean), std::sin(lean), 0.0);
     Pose& pose = world_.pose(wall);
@@ -51,7 +51,7 @@ TEST_F(SampledRingTest, ProximityReadsByDistanceAndByTheLeanOfWhatItHits) {
   SensorUnderTest<FootbotProximity> ring(
       world_, robot_, sampled("0,0,1\n0,48,0.6\n0.031,0,0.7\n0.031,48,0.3\n0.083,0,0.2\n0.083,48,0.04\n"));
   const struct {
-    double distance;  // below 0: the sensor is in the wall
+    double distance;  // negative: the sensor is in the wall
     double lean;      // deg
     double reading;   // bilinear, by hand
   } cases[] = {{0.0, 0.0, 1.0},           {0.031, 0.0, 0.7},        {0.0417, 0.0, 0.597115}, {0.0417, 23.0, 0.429112},
@@ -65,7 +65,7 @@ TEST_F(SampledRingTest, ProximityReadsByDistanceAndByTheLeanOfWhatItHits) {
 }
 
 TEST_F(SampledRingTest, TheAngleOfRoundThingsIsThatAtThePointThatIsHit) {
-  // the reading is the angle in degrees by 100, so that the angle can be read
+  // the reading is the angle in degrees / 100, so that the test can recover the angle
   SensorUnderTest<Proximity> ring(world_, robot_, sampled("0,0,0\n0,80,0.8\n1,0,0\n1,80,0.8\n"));
   const Row prey = world_.addPrey(1.0, 1.0, colors::kYellow, 0.11);
   for (const double aside : {-0.0931, -0.041, 0.0, 0.0173, 0.077, 0.1}) {
@@ -107,7 +107,7 @@ TEST_F(SampledRingTest, LightOfSeveralLampsIsAddedByTheirBrightness) {
   const Eigen::Vector3d aside(0.5 * std::cos(27 * kDegree), 0.5 * std::sin(27 * kDegree), 0.0);
   world_.add(lightModel(1.0), sensor + aside, 0.0, colors::kWhite);
   EXPECT_NEAR(reading(), 0.5475, 1e-6);
-  // red, three times as bright: 1; 0.9 m straight ahead: 0.9 - 0.6 * 7 / 12 = 0.55, but the sum is 1 at most
+  // red, three times as bright: 1; 0.9 m straight ahead: 0.9 - 0.6 * 7 / 12 = 0.55, but the sum is at most 1
   const Row red = world_.add(lightModel(3.0), sensor + Eigen::Vector3d(0.9, 0.0, 0.0), 0.0, colors::kRed);
   EXPECT_NEAR(reading(), 1.0, 1e-6);
   world_.pose(red).position.x() = sensor.x() + 1.2;  // 0.9 - 0.6 * 10 / 12 = 0.4
@@ -134,7 +134,7 @@ TEST_F(SampledRingTest, EachSampleOfAnEntryComesAsOftenAndBetweenEntriesTheSprea
   const Row wall = world_.addWall({0.1, 2.0, 0.5}, {5.0, 1.0});
   SensorUnderTest<FootbotProximity> ring(
       world_, robot_, sampled("0.02,0,0.9\n0.02,0,0.8\n0.02,0,0.84\n0.06,0,0.3\n0.06,0,0.5\n0.06,0,0.1\n"));
-  placeWall(wall, 0.03, 0.0);  // a quarter of the way: 0.75 * (0.8, 0.84, 0.9) + 0.25 * (0.1, 0.3, 0.5)
+  placeWall(wall, 0.03, 0.0);  // at a quarter of the way: 0.75 * (0.8, 0.84, 0.9) + 0.25 * (0.1, 0.3, 0.5)
   std::map<int, int> counts;
   constexpr int kDraws = 3000;
   for (int i = 0; i < kDraws; ++i) {

@@ -1,4 +1,4 @@
-// Lines of sight are found by the outlines of what is near, and few rays: the same as by a ray each.
+// Lines of sight, found with the outlines of nearby entities and few rays, equal one ray for each line.
 #include "sight_lines.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// An engine that moves nothing, and casts rays against the shapes where joints have turned them.
+/// An engine that moves nothing, and casts rays against shapes at the current angles of their joints.
 class StillEngine final : public Engine {
  public:
   explicit StillEngine(const Space& space) : space_(space) {}
@@ -55,7 +55,7 @@ class StillEngine final : public Engine {
   bool blocks(Row row, const RayBundle& ray) const override { return hitOf(row, ray.segments[0]) < 1.0; }
   bool hitsPrisms() const override { return has_prisms; }
 
-  bool has_prisms = false;  ///< each cylinder is the square column around it
+  bool has_prisms = false;  ///< each cylinder is replaced by its bounding square column
 
  private:
   double hitOf(Row row, const Segment& segment) const {
@@ -85,7 +85,7 @@ class SightLinesTest : public testing::Test {
     Pose& pose = world.pose(row);
     pose.orientation = Eigen::AngleAxisd(uniform(0.0, most), axis.normalized()) * pose.orientation;
   }
-  /// Puts it into the engine, from being in none.
+  /// Moves an entity from no engine to the engine.
   Row moved(Row row) {
     world.space.entities_without_engine.remove(row);
     engine.add(world.space, row, Role::kMove);
@@ -112,10 +112,10 @@ class SightLinesTest : public testing::Test {
       tilt(rolled, 1.5);
       moved(world.addWall({uniform(0.02, 0.6), uniform(0.02, 2.0), uniform(0.05, 1.0)}, place(0.0, 0.0).head<2>()));
       tilt(moved(world.add(blockModel({uniform(0.02, 1.0), uniform(0.02, 1.0), 0.1}), place(0.0, 1.0))), 1.5);
-      tilt(world.add(blockModel({0.1, 0.2, 0.3}), place(0.0, 1.0)), 1.5);  // that no engine has
+      tilt(world.add(blockModel({0.1, 0.2, 0.3}), place(0.0, 1.0)), 1.5);  // in no engine
     }
   }
-  /// A free line; a blocked one.
+  /// Numbers of free and blocked lines.
   struct Count {
     int free = 0;
     int blocked = 0;
@@ -156,7 +156,7 @@ TEST_F(SightLinesTest, AreBlockedWhereRaysAre) {
 }
 
 TEST_F(SightLinesTest, AreBlockedByAnyNumberOfThings) {
-  // around an eye, since what is near is compared in batches: full ones, and such with places left over
+  // around an eye, since nearby outlines are compared in batches: some are full, some are partly used
   Count all;
   for (int i = 0; i < 70; ++i) {
     const double angle = 2.4 * i;
@@ -211,8 +211,8 @@ TEST_F(SightLinesTest, AreBlockedByHills) {
 }
 
 TEST_F(SightLinesTest, AreBlockedByARaisedArm) {
-  // shoulders at 0.15 m, the arms upright: their tips are at 0.15 + 0.07 + 0.045 + 0.058 = 0.323 m, the body's top at
-  // 0.29 m; the left arm stands over (5.03, 5.11)
+  // shoulders at 0.15 m, arms upright: their tips are at 0.15 + 0.07 + 0.045 + 0.058 = 0.323 m, the body's top at
+  // 0.29 m; the left arm stands above (5.03, 5.11)
   const Row handbot = addHandbot({5.0, 5.0, 0.0});
   world.space.joints[handbot][static_cast<std::size_t>(robotModel("handbot")->findJoint("left_shoulder"))].angle =
       -M_PI_2;

@@ -1,4 +1,5 @@
-// Wheels that slip, without an engine: what the mechanism is commanded, and what becomes of what the engine says.
+// Slipping wheels, without an engine: the commands to the mechanism, and the conversion of the turns that an engine
+// reports.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -18,7 +19,7 @@ Parameters slips(const std::string& left, const std::string& right, const std::s
   return {{"implementation", "slipping"}, {"slip_left", left}, {"slip_right", right}, {"slip_noise", noise}};
 }
 
-/// What an engine does that turns wheels at once.
+/// An engine that reaches wheel speeds at once.
 void move(DeviceWorld& world, Row robot) {
   const WheelsCommand& speeds = world.space.wheels[robot];
   world.space.wheel_turns[robot].left += speeds.left * kTick;
@@ -96,7 +97,7 @@ TEST(SlippingWheelsTest, NoiseIsDrawnForEachWheelAndTickInProportionToTheSpeed) 
     right.push_back(world.space.wheels[robot].right / -1.7);
     product.push_back((left.back() - 0.89) * (right.back() - 0.97));
   }
-  // 4 standard errors each
+  // tolerances of 4 standard errors
   EXPECT_NEAR(Statistics(left).mean, 0.89, 0.0045);
   EXPECT_NEAR(Statistics(left).deviation, 0.07, 0.0032);
   EXPECT_NEAR(Statistics(right).mean, 0.97, 0.0045);

@@ -1,5 +1,5 @@
-// Microphones and what they hear: loudspeakers in the arena and on robots. Levels are worked out by logarithms: L - 20
-// lg d of each source, added as powers.
+// Microphones: loudspeakers in the arena and on robots. Expected levels are computed with logarithms: L - 20 lg d of
+// each source, added as powers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(SoundTest, EachMicrophoneHearsByItsOwnDistance) {
   world.add(loudspeaker("72"), {5.3, 5.9, 0.5});
   FootbotEars ears(world, robot);
   const FootbotMicrophones& heard = ears.sense();
-  // the source is 1.6211 m from the middle, a little to the right of ahead
+  // the source is 1.6211 m from the centre, slightly to the right of ahead
   const double alone[] = {68.180772, 67.766476, 67.451435, 67.835411};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(heard.level[i], alone[i], 1e-5) << i;
@@ -160,7 +160,7 @@ TEST(SoundTest, RobotsHearEachOtherInTheNextTickAndNotThemselves) {
   EXPECT_EQ(heard_by_a->loudest.frequency, 0.0F);
   EXPECT_NEAR(heard_by_a->level[0], kQuiet, 1e-5);
   EXPECT_EQ(heard_by_b->loudest.frequency, 880.0F);
-  // a footbot's loudspeaker is over its origin, at half of its 0.146 m
+  // a footbot's loudspeaker is above its origin, at half of its height of 0.146 m
   const double x = 5.3 + 0.07 * std::cos(2.2) - 4.0;
   const double y = 4.1 + 0.07 * std::sin(2.2) - 5.0;
   EXPECT_NEAR(heard_by_b->level[0], sumOf({levelAt(64.0, std::hypot(x, y, 0.073)), kQuiet}), 1e-5);
@@ -209,7 +209,7 @@ TEST(SoundTest, AnyRobotHearsWithWhatItHas) {
     EXPECT_NEAR(heard.sensors[i].x, places[i].x(), 1e-7);
     EXPECT_NEAR(heard.sensors[i].y, places[i].y(), 1e-7);
   }
-  // from the middle of the three, (-0.02 / 3, -0.14 / 3) from the origin
+  // from the centre of the three, (-0.02 / 3, -0.14 / 3) from the origin
   EXPECT_NEAR(heard.loudest.bearing, std::atan2(0.9 + 0.14 / 3.0, -0.8 + 0.02 / 3.0), 1e-6);
 }
 
@@ -235,7 +235,7 @@ TEST(SoundTest, RobotsWithoutThePartsAreRefused) {
             "height) is 0.172 m outside of its solids, allowed: at most 0.1 m");
 }
 
-/// A crowd in which each robot sounds, and some loudspeakers.
+/// A crowd in which each robot has a loudspeaker that sounds, and some loudspeakers in the arena.
 struct Crowd {
   explicit Crowd(DeviceWorld& world)
       : ears(makeDevice<Sensor>(PluginKind::kSensor, FootbotMicrophones::kType, {{"range", "1.9"}, {"shadow", "7"}})),

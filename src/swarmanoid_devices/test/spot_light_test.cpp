@@ -1,5 +1,5 @@
-// Lamps that shine into a cone: on light sensors, and into cameras. A footbot's sensors are 0.085 m from its axis, 0.06
-// m above the ground; its camera is on the axis, 0.28 m above the ground.
+// Lamps that shine into a cone, seen by light sensors and cameras. A footbot's light sensors are 0.085 m from its axis
+// and 0.06 m above the ground; its camera is on the axis, 0.28 m above the ground.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 class SpotLightTest : public testing::Test {
  protected:
-  /// @param tilt of its axis below the x axis of the world, then turned by the heading [rad]
+  /// @param tilt of the lamp's axis below the horizontal, before the rotation by the heading [rad]
   Row addSpot(const Eigen::Vector3d& position, double heading, double tilt, double aperture, double intensity = 1.0) {
     const Row row = world.add(spotLightModel(aperture, intensity), position, 0.0, colors::kWhite);
     world.pose(row).orientation =
@@ -44,12 +44,13 @@ TEST_F(SpotLightTest, ShinesWithTheSquareOfTheDistanceAndNotBesideItsCone) {
 }
 
 TEST_F(SpotLightTest, LightsSomeSensorsOfARobotOnly) {
-  // from 1.3 m above the sensors' plane, straight down: a disc of 1.3 m tan(2.2 degrees) = 0.049942 m
+  // straight down from 1.3 m above the sensors' plane: a disc of 1.3 m tan(2.2 degrees) = 0.049942 m
   addSpot({4.085, 5.0, 1.36}, 0.0, M_PI / 2.0, 4.4, 800.0);
   SensorUnderTest<Light> sensor(world, robot);
   const Light& light = sensor.sense();
   for (std::size_t i = 0; i < 24; ++i) {
-    // it lies right over sensor 0: those that look to its side have their cosine; it is 0.085 |2 sin(a / 2)| away
+    // the lamp is right above sensor 0: sensor i is 0.085 |2 sin(a / 2)| from its axis, and `ahead` is along the
+    // sensor's direction
     const double angle = 15.0 * static_cast<double>(i) * kDegree;
     const double way = 0.085 * 2.0 * std::abs(std::sin(0.5 * angle));
     const double ahead = 0.085 * (std::cos(angle) - 1.0);
@@ -74,7 +75,7 @@ TEST_F(SpotLightTest, CastsShadows) {
 }
 
 TEST_F(SpotLightTest, CamerasSeeItThatLookIntoItsCone) {
-  // the camera is 0.9 m before it and 0.3 m aside: 18.434949 degrees
+  // the camera is 0.9 m before the lamp and 0.3 m aside: 18.434949 degrees
   const Row lamp = addSpot({4.9, 5.3, 0.28}, M_PI, 0.0, 2.0 * 18.44);
   SensorUnderTest<FootbotCamera> camera(world, robot);
   ASSERT_EQ(camera.sense().blobs.size(), 1U);

@@ -1,5 +1,5 @@
-// The rules `dispersion` and `taxis`, without engines: what they measure of robots whose places are known. With robots
-// that drive: swarmanoid_experiments/test/aggregation_test.cpp and emergent_taxis_test.cpp.
+// The rules `dispersion` and `taxis`, without engines: their metrics for robots at known positions. With driving
+// robots: swarmanoid_experiments/test/aggregation_test.cpp and emergent_taxis_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::string measuredFootbot(const std::string& id, double x, double y) {
          ",0</position><orientation>0,0,0</orientation></footbot>";
 }
 
-/// Footbots fb_1, fb_2, ..., one that does not count by its name, and a lamp.
+/// Footbots fb_1, fb_2, ..., one with a name outside the group, and a lamp.
 Experiment world(const std::string& rules, const Places& places) {
   loadPluginLibrary("swarmanoid_devices", {}, {});
   std::string robots = measuredFootbot("other", 9.0, 9.0);
@@ -56,13 +56,13 @@ constexpr const char* kDispersion = "<dispersion id='r'><robots>fb_</robots><rad
 constexpr const char* kTaxis = "<taxis id='r'><target>lamp</target><robots>fb_</robots></taxis>";
 
 TEST(DispersionTest, TheSecondMomentIsThatOfTheRobotsThatCount) {
-  // centroid (2, 3); squared distances 1 + 4, 0.25, 0.25 + 4, in squared diameters of 0.04
+  // centroid (2, 3); squared distances 1 + 4, 0.25, 0.25 + 4; squared diameter 0.04
   const Measured measured(kDispersion, {{1.0, 5.0}, {2.5, 3.0}, {2.5, 1.0}});
   EXPECT_NEAR(measured.metric("second_moment"), (5.0 + 0.25 + 4.25) / 0.04, 1e-9);
 }
 
 TEST(DispersionTest, RobotsAreOfOneClusterWhereNoThirdOneFitsBetweenThem) {
-  // middles 0.39 m from each other are a chain around a corner; the last two are 0.41 m off, and a pair
+  // centres 0.39 m from each other form a chain around a corner; the last two are 0.41 m from it, and a pair
   const Measured measured(kDispersion, {{1.0, 1.0}, {1.39, 1.0}, {1.39, 1.39}, {1.80, 1.39}, {1.80, 1.78}});
   EXPECT_NEAR(measured.metric("largest_cluster"), 3.0 / 5.0, 1e-12);
 }
@@ -85,7 +85,7 @@ TEST(TaxisTest, ProgressIsWhatTheCentroidHasComeNearerSinceTheRunBegan) {
   const double at_first = std::hypot(5.0, 1.0);  // from (2, 3)
   EXPECT_NEAR(measured.metric("distance"), at_first, 1e-12);
   EXPECT_EQ(measured.metric("progress"), 0.0);
-  measured.put("fb_2", 5.0, 5.0);  // the centroid comes to (3, 3)
+  measured.put("fb_2", 5.0, 5.0);  // moves the centroid to (3, 3)
   EXPECT_NEAR(measured.metric("distance"), std::hypot(4.0, 1.0), 1e-12);
   EXPECT_NEAR(measured.metric("progress"), at_first - std::hypot(4.0, 1.0), 1e-12);
   measured.simulation.apply(DeleteEntity{"lamp"});
@@ -93,7 +93,7 @@ TEST(TaxisTest, ProgressIsWhatTheCentroidHasComeNearerSinceTheRunBegan) {
   EXPECT_NEAR(measured.metric("distance"), std::hypot(4.0, 1.0), 1e-12) << "the last one that there was";
 }
 
-/// As one of the file, under another name and elsewhere.
+/// Adds a robot like that of the file, with another name and position.
 void spawn(Simulation& simulation, const std::string& id, double x, double y) {
   const Experiment& experiment = simulation.experiment();
   const auto is_robot = [](const EntityDescription& entity) { return entity.type == "footbot"; };
@@ -106,7 +106,7 @@ void spawn(Simulation& simulation, const std::string& id, double x, double y) {
 
 TEST(TaxisTest, WhoComesOrGoesIsNoProgress) {
   Measured measured(kTaxis, {{1.0, 2.0}, {2.0, 5.0}, {3.0, 2.0}});
-  measured.put("fb_2", 5.0, 5.0);  // the centroid comes from (2, 3) to (3, 3)
+  measured.put("fb_2", 5.0, 5.0);  // moves the centroid from (2, 3) to (3, 3)
   const double progress = std::hypot(5.0, 1.0) - std::hypot(4.0, 1.0);
   measured.simulation.apply(DeleteEntity{"fb_1"});
   measured.simulation.tick();
@@ -115,7 +115,7 @@ TEST(TaxisTest, WhoComesOrGoesIsNoProgress) {
   spawn(measured.simulation, "fb_4", 2.5, 0.5);
   EXPECT_NEAR(measured.metric("distance"), std::hypot(3.5, 0.5), 1e-12) << "from (3.5, 2.5)";
   EXPECT_NEAR(measured.metric("progress"), progress, 1e-12);
-  measured.put("fb_4", 4.0, 0.5);  // to (4, 2.5)
+  measured.put("fb_4", 4.0, 0.5);  // moves the centroid to (4, 2.5)
   EXPECT_NEAR(measured.metric("progress"), progress + std::hypot(3.5, 0.5) - std::hypot(3.0, 0.5), 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// The rules `swarm_order` and `square_displacement`: what they measure of robots that stand as said, and go as told.
+// The rules `swarm_order` and `square_displacement`: their metrics for robots at given poses and after given motions.
 #include "measured_run.hpp"
 
 namespace swarmanoid::test {
@@ -8,7 +8,7 @@ constexpr double kMotionTolerance = 1e-12;
 constexpr const char* kOrder = "<swarm_order id='r'><robots>fb_</robots></swarm_order>";
 constexpr const char* kDisplacement = "<square_displacement id='r'><robots>fb_</robots></square_displacement>";
 
-/// Robots on a circle of no special size, each turned by the same angle against the way outwards.
+/// Robots on a circle, each rotated by the same angle relative to the outward direction.
 std::vector<Stand> ring(int count, double against_outwards) {
   std::vector<Stand> stands;
   for (int i = 0; i < count; ++i) {
@@ -31,7 +31,7 @@ TEST(SwarmOrderTest, PolarisationIsTheLengthOfTheMeanHeading) {
   EXPECT_NEAR(run.metric("polarisation"), std::hypot(east, north) / 3.0, kMotionTolerance);
 }
 
-/// On a ring the lever is the sine of the angle against outwards, for whatever number of robots.
+/// On a ring the lever is the sine of the angle to the outward direction, for any number of robots.
 TEST(SwarmOrderTest, AngularOrderIsTheSineOfTheAngleAgainstOutwards) {
   for (const double angle : {0.0, 0.61, M_PI / 2.0, -1.13, 2.9}) {
     const MeasuredRun run(kOrder, ring(7, angle));
@@ -58,7 +58,7 @@ TEST(SquareDisplacementTest, IsTheMeanSquareOfTheWaysAsTheCrowFlies) {
   EXPECT_EQ(run.metric("diffusivity"), 0.0);
   run.put("fb_1", {1.5, 1.1});
   run.tick();
-  run.put("fb_1", {1.0, 0.9});  // the way in between does not count
+  run.put("fb_1", {1.0, 0.9});  // the path in between does not count
   run.put("fb_2", {5.4, 0.3});
   run.tick();
   const double first = 0.2 * 0.2 + 0.2 * 0.2;

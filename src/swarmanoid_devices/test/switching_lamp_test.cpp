@@ -1,5 +1,5 @@
-// The rule `switching_lamp`: which lamp is lit in which tick, and how far the robots are from it. No engine moves
-// anything here; with robots that drive: swarmanoid_experiments/test/phototaxis_test.cpp.
+// The rule `switching_lamp`: the lamp that is lit in each tick, and the distance of robots from it. No engine moves
+// anything here; with driving robots: swarmanoid_experiments/test/phototaxis_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,10 +12,10 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Ticks of 0.1 s. Of 1.3 s the lamp is lit for 0.4 s: in the ticks 0 to 3 of each 13.
+/// Ticks of 0.1 s. The lamp is lit for 0.39 of 1.3 s: in the ticks 0 to 3 of each 13.
 constexpr const char* kLamps = "<lamp>a</lamp><other>b</other><period>1.3</period><duty>0.3</duty>";
 constexpr std::uint64_t kPeriod = 13;  // ticks
-constexpr std::uint64_t kLitFor = 4;   // ticks: 3.9 of them, and a tick in which it goes off after its beginning is lit
+constexpr std::uint64_t kLitFor = 4;   // ticks: 3.9 rounded up, as the beginning of a tick counts
 
 bool isFirstLitIn(std::uint64_t tick) { return tick % kPeriod < kLitFor; }
 
@@ -119,7 +119,7 @@ TEST_F(SwitchingLampTest, ATickWithoutASwitchTouchesNoHeap) {
     const long before = heap_allocations;
     simulation.tick();
     const long made = heap_allocations - before;
-    // the tick after a switch forgets its events
+    // the tick after a switch clears its events
     if (!is_switch && isFirstLitIn(tick) == isFirstLitIn(tick - 2)) {
       EXPECT_EQ(made, 0) << tick;
     }

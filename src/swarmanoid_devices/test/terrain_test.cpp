@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns a terrain from (4, 4) to (6, 6), with a vertex each 0.1 m.
+/// Returns a terrain from (4, 4) to (6, 6), with a vertex every 0.1 m.
 std::shared_ptr<const Terrain> terrainOf(const std::function<double(double x)>& height) {
   std::vector<double> heights;
   for (int j = 0; j <= 20; ++j) {
@@ -48,7 +48,7 @@ TEST(TerrainTest, WhatLiesInAHoleIsSeenFromAbove) {
   SensorUnderTest<EyebotCamera> above(world, world.addEyebot(5.0, 5.0, 1.0));
   EXPECT_EQ(above.sense().blobs.size(), 1U);
   SensorUnderTest<EyebotCamera> aside(world, world.addEyebot(7.0, 5.0, 1.0));
-  EXPECT_TRUE(aside.sense().blobs.empty());  // the ground around the hole is between them
+  EXPECT_TRUE(aside.sense().blobs.empty());  // the ground around the hole hides the prey
 }
 
 TEST(TerrainTest, AProximitySensorReadsASlope) {
@@ -56,7 +56,7 @@ TEST(TerrainTest, AProximitySensorReadsASlope) {
   world.space.terrain = terrainOf([](double x) { return std::max(0.0, x - 5.0); });
   const Row robot = world.addFootbot(4.9, 5.0);
   SensorUnderTest<FootbotProximity> proximity(world, robot);
-  // the ring is 0.06 m high and has a radius of 0.085 m, so ahead the slope is 0.075 m away from it
+  // the ring is 0.06 m high and has a radius of 0.085 m, so the slope is 0.075 m ahead of it
   const auto& values = proximity.sense().value;
   EXPECT_NEAR(values[0], std::pow(0.25, 3), 1e-6);
   EXPECT_EQ(values[12], 0.0F);  // behind
@@ -76,7 +76,7 @@ TEST(TerrainTest, ALaserSpotLiesOnTheGroundHoweverHighItIs) {
     laser.actuator->afterMove(world.space);
     ASSERT_EQ(world.space.laser_spots.size(), 1U);
     EXPECT_LT((world.space.laser_spots[0].position - Vector3d(5.05, 5.0, height)).norm(), 1e-9);
-    // the camera sees the spot there too
+    // the camera sees the spot there, too
     SensorUnderTest<FootbotCamera> camera(world, world.add(robotModel("footbot"), {4.5, 5.0, height}));
     EXPECT_EQ(camera.sense().blobs.size(), 1U) << height;
   }

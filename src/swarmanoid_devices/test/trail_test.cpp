@@ -1,5 +1,4 @@
-// The rules `trail` and `trips`, without engines: who paints, where and what; and who has come from one patch to the
-// other.
+// The rules `trail` and `trips`, without engines: painting of the floor by robots, and trips of robots between patches.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -56,7 +55,7 @@ constexpr const char* kTrail =
     "<trail id='t'><led_color>red</led_color><color>blue</color><strength>0.25</strength><radius>0.06</radius>"
     "<every>3</every></trail>";
 
-/// Nobody commands LEDs here: what they show is set in the space, as an actuator would.
+/// No controller commands LEDs here: the test sets their colours in the space, as an actuator would.
 class TrailTest : public testing::Test {
  protected:
   TrailTest() { simulation->start(); }

@@ -1,5 +1,4 @@
-// The implementation "unreliable" of cameras: how often they miss a blob and see one where nothing is, over 10,000
-// ticks.
+// The implementation "unreliable" of cameras: rates of missed and of false blobs, over 10,000 ticks.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,13 +20,13 @@ Parameters unreliable(Parameters parameters) {
   return parameters;
 }
 
-/// Five standard deviations of the rate of what happens with a probability.
+/// Five standard deviations of the rate of events with a given probability.
 double spread(double probability) { return 5.0 * std::sqrt(probability * (1.0 - probability) / kManyTicks); }
 
 double missedRate(const Parameters& parameters) {
   DeviceWorld world;
   const Row robot = world.addFootbot(4.0, 4.0);
-  world.addPrey(4.9, 4.4);  // its middle is 0.23 m under the camera
+  world.addPrey(4.9, 4.4);  // its centre is 0.23 m below the camera
   SensorUnderTest<FootbotCamera> camera(world, robot, unreliable(parameters));
   int missed = 0;
   for (; world.space.tick < kManyTicks; ++world.space.tick) {
@@ -43,12 +42,12 @@ TEST(UnreliableCameraTest, MissesBlobsWithAProbability) {
 }
 
 TEST(UnreliableCameraTest, MissesMoreOfWhatIsFarAway) {
-  // 0.1 + 0.2 of sqrt(0.9^2 + 0.4^2 + 0.23^2) = 1.01139 m
+  // 0.1 + 0.2 * sqrt(0.9^2 + 0.4^2 + 0.23^2), with a root of 1.01139 m
   EXPECT_NEAR(missedRate({{"missed", "0.1"}, {"missed_per_metre", "0.2"}}), 0.302278, spread(0.302278));
   EXPECT_EQ(missedRate({{"missed_per_metre", "3"}}), 1.0);
 }
 
-/// What a camera reports in each tick that has nothing in sight.
+/// Blobs that a camera reports in each tick with nothing in sight.
 template <class Camera>
 std::vector<std::vector<ColorBlob>> falseBlobs(const std::shared_ptr<const EntityModel>& robot, double height,
                                                const Parameters& parameters, std::uint64_t seed = 1) {

@@ -1,4 +1,4 @@
-// The rules `state_times` and `energy_use`: what robots do, by what their controllers say and command.
+// The rules `state_times` and `energy_use`: reported states and consumption of robots.
 #include "measured_run.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
@@ -6,7 +6,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Says "search" for 3 ticks, "go home" for 4, nothing known afterwards; drives all the time.
+/// Reports "search" for 3 ticks, "go home" for 4, then an unlisted state; drives all the time.
 class Speaker final : public Controller {
  public:
   void init(Robot& robot, const Configuration&) override {
@@ -25,7 +25,7 @@ class Speaker final : public Controller {
 
 constexpr double kDrive = 4.0 * (3.1 + 1.7) / (2.0 * 10.344827586206895);  // W, of both wheels
 
-/// fb_1 and fb_2 with a controller and with what else is said of them, and one without.
+/// fb_1 and fb_2 with a controller, fb_2 also with the elements `of_second`, and one robot without a controller.
 std::unique_ptr<Simulation> world(const std::string& rule, const std::string& of_second = "") {
   loadPluginLibrary("swarmanoid_devices", {}, {});
   const auto robot = [](const std::string& id, const std::string& place, const std::string& more) {
@@ -92,13 +92,13 @@ TEST(StateTimesTest, WhatIsWrongIsNamedWithItsLine) {
             "run.xml:8: states: found 'other', allowed: other names than 'other', each once, separated by commas");
 }
 
-/// By the law of docs/reference/battery.md, for who runs on a battery and for who does not.
+/// By the law of docs/reference/battery.md, for robots with and without a battery.
 TEST(EnergyUseTest, IsWhatTheLawOfBatteriesSays) {
   for (const std::string battery : {"", "<battery>true</battery>"}) {
     const auto simulation = world("<energy_use id='r'><robots>fb_</robots></energy_use>", battery);
     EXPECT_EQ(metricOf(*simulation, "used"), 0.0) << battery;
     tick(*simulation, 7);
-    const double power = 3.2 + kDrive;  // W: electronics, and wheels, which have no power of their own at rest
+    const double power = 3.2 + kDrive;  // W: electronics and wheels; wheels draw no power at rest
     EXPECT_NEAR(metricOf(*simulation, "power"), 2.0 * power, 1e-9) << battery;
     EXPECT_NEAR(metricOf(*simulation, "used"), 2.0 * power * 0.7, 1e-9) << battery;
     EXPECT_EQ(metricOf(*simulation, "per_metre"), 0.0) << "no engine moves them";

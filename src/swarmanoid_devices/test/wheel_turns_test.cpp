@@ -1,4 +1,4 @@
-// Encoders and odometry of any robot, from what its wheels have turned; a tick is 0.1 s.
+// Encoders and odometry of any robot, from its wheel turns; a tick is 0.1 s.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ class WheelTurnTest : public testing::Test {
  protected:
   explicit WheelTurnTest(const Parameters& parameters = {}) : sensor(world, robot, parameters) {}
 
-  /// What is read after a tick in which the wheels have turned so far [rad].
+  /// Readings after a tick in which the wheels turn by these angles [rad].
   const Device& turn(double left, double right) {
     WheelTurns& turns = world.space.wheel_turns[robot];
     turns.left += left;
@@ -65,7 +65,7 @@ TEST_F(WheelEncodersTest, SeeNothingOfBeingCarriedAway) {
 TEST(WheelEncoderStepsTest, AreWholeOnesTowardsMinusInfinity) {
   DeviceWorld world;
   const Row robot = world.addFootbot(4.0, 5.0);
-  world.space.wheel_turns[robot] = {17.0, -3.0};  // before it has the sensor
+  world.space.wheel_turns[robot] = {17.0, -3.0};  // before the sensor is added
   SensorUnderTest<WheelEncoders> sensor(world, robot, {{"ticks_per_turn", "40"}});
   const double step = 2.0 * M_PI / 40.0;
   sensor.sense();
@@ -120,8 +120,9 @@ TEST_F(OdometryTest, HeadingStaysWithinATurn) {
   EXPECT_NEAR(sensor.sense().x, 0.0, 1e-12);
 }
 
-/// Straight ahead by s: both ways vary by k^2 s, so the mean by half of that; the heading by 2 k^2 s / d^2, and what is
-/// aside of the way by the sum of the errors of the headings over the way, a third of s^2 times that of the heading.
+/// Straight ahead by s: both wheel ways have the variance k^2 s, so their mean has half of it. The heading has the
+/// variance 2 k^2 s / d^2. The lateral position integrates the heading errors over the way: a third of s^2 times the
+/// variance of the heading.
 TEST_F(OdometryTest, CovarianceGrowsWithTheWay) {
   constexpr int kTicks = 1000;
   constexpr double kWay = 0.8;
@@ -139,7 +140,7 @@ TEST_F(OdometryTest, CovarianceGrowsWithTheWay) {
   EXPECT_NEAR(covariance[1], 0.0, 1e-12);
 }
 
-/// What is drawn has the covariance that is assumed, if both are the same.
+/// The drawn slip has the covariance that is assumed, if both parameters are equal.
 TEST(OdometrySlipTest, IsDrawnAsTheCovarianceSays) {
   constexpr int kRobots = 400;
   constexpr int kTicks = 50;
@@ -170,14 +171,14 @@ TEST(OdometrySlipTest, IsDrawnAsTheCovarianceSays) {
     heading.push_back(odometry->heading);
   }
   const auto& covariance = readings[0]->covariance;
-  const double allowed = 0.12;  // three standard errors of a deviation of 400
+  const double allowed = 0.12;  // three standard errors of a deviation from 400 samples
   EXPECT_NEAR(Statistics(heading).deviation / std::sqrt(covariance[8]), 1.0, allowed);
   EXPECT_NEAR(Statistics(y).deviation / std::sqrt(covariance[4]), 1.0, allowed);
   EXPECT_NEAR(Statistics(x).mean, 1.0, 0.005);
   EXPECT_NEAR(Statistics(y).mean, 0.0, 3.0 * std::sqrt(covariance[4] / kRobots));
 }
 
-/// A robot that stood before slips as one that drove: each tick has draws of its own.
+/// A robot that stood still before slips like one that drove: each tick has its own draws.
 TEST(OdometrySlipTest, OfATickDoesNotDependOnTicksBefore) {
   const auto speeds = [](double before) {
     DeviceWorld world(11);
@@ -214,7 +215,7 @@ TEST(OdometrySlipTest, IsTheSameInWhateverRanges) {
       if (is_split) {
         sensor->update(world.space, 2, 5);
         sensor->update(world.space, 0, 2);
-        sensor->update(world.space, 0, 5);  // made again
+        sensor->update(world.space, 0, 5);  // repeated
       } else {
         sensor->update(world.space, 0, 5);
       }

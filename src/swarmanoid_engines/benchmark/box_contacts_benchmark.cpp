@@ -1,5 +1,5 @@
-// Contacts of two boxes by own code, in turn with ODE's test of the same geoms. Items are pairs of boxes:
-// `against_library` is how many of ours come on one of ODE's. Times are of the clock.
+// Contacts of two boxes by this engine's code, alternating with ODE's test of the same geoms. Items are pairs of boxes:
+// `against_library` is our throughput over that of ODE. Times are wall-clock times.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -18,7 +18,8 @@ using Eigen::Vector3d;
 
 enum Arrangement { kResting, kFalling, kApart };
 
-/// Pairs of a box and a tilted one below it. @param arrangement resting on it; anyhow turned and in it; beside it
+/// Pairs of a box and a tilted one below it. @param arrangement resting on it; turned at random and in it; apart from
+/// it
 std::vector<std::pair<dGeomID, dGeomID>> makePairs(Arrangement arrangement) {
   constexpr int kPairs = 500;
   std::mt19937_64 random(3);

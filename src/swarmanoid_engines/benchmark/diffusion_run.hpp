@@ -1,4 +1,4 @@
-/// The diffusion experiment, as benchmarks of engines run it in turn with their library alone.
+/// The diffusion experiment, which benchmarks of engines run in turn with the engine's library alone.
 #pragma once
 
 #include <cmath>
@@ -14,14 +14,15 @@ namespace swarmanoid::benchmarks {
 
 constexpr double kAreaPerRobot = 1.6;  // m2
 
-/// Of this process, all threads [s].
+/// Processor time of this process, all threads [s].
 inline double processorSeconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// To the state before the first tick. @param engine its element in the experiment file, with the id 'ground'
+/// Starts an experiment up to the state before the first tick. @param engine its element in the experiment file, with
+/// the id 'ground'
 /// @param tick [s]
 inline std::unique_ptr<Simulation> startDiffusion(int robots, const std::string& engine, double tick = 0.1) {
   const int tick_ms = static_cast<int>(std::lround(1e3 * tick));

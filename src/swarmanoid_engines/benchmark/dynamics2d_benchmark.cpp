@@ -1,8 +1,8 @@
 // Whole ticks of the diffusion experiment with dynamics2d (sense, control, move; one thread, no ROS), in turn with
-// Box2D alone (raw_box2d.hpp), whose robots begin where ours do and get the velocities that ours have. Items are
-// robots: items per second are robots x ticks per second; `disc` and `disc_and_box` are those of Box2D alone,
-// `against_library` is how many of ours come on one of `disc_and_box`. Each iteration is a run of 100 ticks from the
-// first one on, without what comes before it: that is what `BM_Start` measures. Times are of the processor.
+// Box2D alone (raw_box2d.hpp), whose robots start at the same places and get the same velocities. Items are robots:
+// items per second are robots x ticks per second; `disc` and `disc_and_box` are those of Box2D alone, `against_library`
+// is our rate divided by that of `disc_and_box`. Each iteration is a run of 100 ticks from the first one on, without
+// the start, which `BM_Start` measures. Times are processor times.
 #include <benchmark/benchmark.h>
 
 #include "diffusion_run.hpp"
@@ -63,7 +63,7 @@ void BM_Dynamics2d(benchmark::State& state) {
   state.counters["against_library"] = times.disc_and_box / times.ours;
 }
 
-/// From the experiment file to the state before the first tick, and that tick.
+/// Time from the experiment file to the end of the first tick.
 void BM_Start(benchmark::State& state) {
   loadBuiltInPlugins();
   for (auto _ : state) {

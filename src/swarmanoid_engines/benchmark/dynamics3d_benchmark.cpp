@@ -1,8 +1,8 @@
 // Whole ticks of the diffusion experiment with dynamics3d (sense, control, move; one thread, no ROS), in turn with ODE
-// alone (raw_ode.hpp), whose robots begin where ours do and whose wheels get the speeds that ours are commanded. Items
-// are robots: items per second are robots x ticks per second; `exact` and `quick` are those of ODE alone with its two
-// solvers, `against_library` is how many of ours come on one of the faster of the two. Each iteration is a run of so
-// many ticks from the first one on. Times are of the processor.
+// alone (raw_ode.hpp), whose robots start at the same places and whose wheels get the same commanded speeds. Items are
+// robots: items per second are robots x ticks per second; `exact` and `quick` are those of ODE alone with its two
+// solvers, `against_library` is our rate divided by that of the faster of the two. Each iteration is a run of kTicks
+// ticks from the first one on. Times are processor times.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Times {
   double quick = 0.0;
 };
 
-/// ODE alone is worth the comparison only if it drives as ours do.
+/// Whether the robots of ODE alone drive as ours do: otherwise the comparison is meaningless.
 bool areDriven(const RawOde& raw, const Space& space, const std::vector<Row>& robots, const std::vector<Pose>& starts) {
   double way = 0.0;
   double apart = 0.0;
@@ -67,7 +67,7 @@ bool runInTurn(int count, int subclock, double tick, Times& times) {
 void BM_Dynamics3d(benchmark::State& state) {
   const auto robots = static_cast<int>(state.range(0));
   const auto subclock = static_cast<int>(state.range(1));
-  constexpr double kStep = 0.01;  // s: the longest that the engine takes
+  constexpr double kStep = 0.01;  // s: the longest that the engine allows
   loadBuiltInPlugins();
   Times times;
   for (auto _ : state) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSparse = 1.6;  // m2 a robot: diffusion
 constexpr double kDense = 0.1;   // m2 a robot: a crowd
 
-/// Footbots at random places without overlap, driving about.
+/// Footbots at random places without overlap, which drive around.
 std::unique_ptr<World> makeCrowd(int count, double area_each, int subclock) {
   const double side = std::sqrt(count * area_each) + 0.3;
   auto world = std::make_unique<World>(Eigen::Vector3d(side, side, 1.0), subclock);
@@ -42,7 +42,7 @@ void benchmarkMove(benchmark::State& state, double area_each) {
   for (auto _ : state) {
     test::carryOut(world->space);
     world->engine.move(world->space, std::chrono::milliseconds(100));
-    // who hardly moves backs off along an arc: otherwise all are stuck in the end
+    // blocked robots back off along an arc: otherwise all are stuck in the end
     constexpr double kHardly = 0.02;  // m/s
     for (int i = 0; i < count; ++i) {
       const Row row{i};
@@ -96,7 +96,7 @@ void benchmarkRays(benchmark::State& state, double area_each) {
   state.SetItemsProcessed(state.iterations() * count);
 }
 
-/// One bundle of short rays in the open: what a robot without neighbours pays.
+/// One bundle of short rays in the open: the cost for a robot without neighbours.
 void benchmarkLonelyRays(benchmark::State& state) {
   const int count = static_cast<int>(state.range(0));
   const auto world = makeCrowd(count, kSparse, 1);

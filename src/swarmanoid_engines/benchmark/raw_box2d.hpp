@@ -1,7 +1,7 @@
-/// Box2D alone, in its leanest use for a swarm: what engines on it are measured against.
+/// Box2D alone, in its leanest use for a swarm: the reference for engines based on it.
 ///
-/// Robots are one disc, or a disc and a box, in 8 units a metre (Box2D's slop is 0.6 mm then), between four walls, made
-/// where they stand. Nothing drives them but velocities that are set once a tick: no forces, no friction with the
+/// Robots are one disc, or a disc and a box, in 8 units a metre (Box2D's slop is 0.6 mm then), between four walls,
+/// created at their places. Their only drive are velocities that are set once a tick: no forces, no friction with the
 /// ground, no filter, no times of impact.
 #pragma once
 
@@ -17,10 +17,10 @@ enum class RawRobot { kDisc, kDiscAndBox };
 
 class RawBox2d {
  public:
-  /// With a body for each of these entities, which are robots. @param side of the square arena [m]
+  /// Makes a body for each of these entities, which are robots. @param side of the square arena [m]
   RawBox2d(const Space& space, const std::vector<Row>& robots, double side, RawRobot kind);
 
-  /// Every robot gets the velocity that it has in the space.
+  /// Sets the velocity of every robot to that in the space.
   void setVelocities(const Space& space, const std::vector<Row>& robots);
 
   /// @param tick [s]

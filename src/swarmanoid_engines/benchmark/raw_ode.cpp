@@ -100,7 +100,7 @@ RawOde::Robot RawOde::makeRobot(const Pose& pose, const EntityModel& model) {
 
 void RawOde::setWheelSpeeds(const Space& space, const std::vector<Row>& robots) {
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    // about axes to the left: what turns about them rolls ahead
+    // the axes point to the left: positive speeds roll ahead
     dJointSetHingeParam(robots_[i].motors[0], dParamVel, space.wheels[robots[i]].left);
     dJointSetHingeParam(robots_[i].motors[1], dParamVel, space.wheels[robots[i]].right);
   }

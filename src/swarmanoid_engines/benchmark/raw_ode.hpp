@@ -1,8 +1,8 @@
-/// ODE alone, in its leanest use for a swarm of differential drives: what the engine on it is measured against.
+/// ODE alone, in its leanest use for a swarm of differential drives: the reference for the engine based on it.
 ///
 /// A robot is a cylinder on two wheels with motors, which are balls on hinges, and on two castors, which are balls
-/// without friction; robots stand on a plane between four walls, made where they stand. Contacts are found by ODE's own
-/// spaces: one that sweeps and prunes, of one simple space a robot.
+/// without friction. Robots stand on a plane between four walls, created at their places. ODE's own spaces find
+/// contacts: a sweep-and-prune space of one simple space for each robot.
 #pragma once
 
 #include <memory>
@@ -17,19 +17,19 @@ class RawOde {
  public:
   enum class Solver { kExact, kQuick };  ///< dWorldStep, dWorldQuickStep
 
-  /// With a robot for each of these entities. @param side of the square arena [m]
+  /// Makes a robot for each of these entities. @param side of the square arena [m]
   RawOde(const Space& space, const std::vector<Row>& robots, double side, Solver solver);
   ~RawOde();
   RawOde(const RawOde&) = delete;
   RawOde& operator=(const RawOde&) = delete;
 
-  /// Every robot's motors get the speeds that its wheels are commanded in the space.
+  /// Sets the motors of every robot to the commanded wheel speeds in the space.
   void setWheelSpeeds(const Space& space, const std::vector<Row>& robots);
 
   /// @param tick [s]
   void step(double tick, int steps);
 
-  /// Of a robot, by its place among those of the constructor [m].
+  /// Position of a robot, given by its index in the constructor's list [m].
   Eigen::Vector3d position(std::size_t robot) const;
 
  private:
@@ -41,7 +41,7 @@ class RawOde {
   static void collide(void* self, dGeomID a, dGeomID b);
   void addWalls(double side);
   Robot makeRobot(const Pose& pose, const EntityModel& model);
-  /// A ball at a place of the robot's frame.
+  /// A ball at a place in the robot's frame.
   dGeomID addBall(dSpaceID space, const Pose& robot, const Eigen::Vector3d& place, double radius, dBodyID body);
 
   Solver solver_;

@@ -1,4 +1,4 @@
-// A steady tick touches no heap: every malloc (and so every new) of this program is counted.
+// A steady tick allocates no memory: every malloc (and so every new) of this program is counted.
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -1,5 +1,5 @@
-/// Devices for tests of engines, which link none: what the bank of actuation says is commanded to the mechanisms, as
-/// the actuators of the suite do.
+/// Devices for tests of engines, which link none: copies the state of the bank of actuation to the commands of
+/// mechanisms, as the actuators of the suite do.
 #pragma once
 
 #include <array>
@@ -85,7 +85,7 @@ inline void carryOut(Space& space) {
   }
 }
 
-/// Devices with the mechanisms that the plugins of the suite name.
+/// Devices with the mechanisms that the plugins of the suite declare.
 inline std::vector<DeviceUse> uses(const std::vector<std::string>& devices) {
   using Kind = Mechanism::Kind;
   static const std::map<std::string, std::vector<Mechanism>> mechanisms{

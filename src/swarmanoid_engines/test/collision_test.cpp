@@ -1,4 +1,4 @@
-// Who stops where, in worlds that can be computed by hand.
+// Where robots stop, in worlds that can be computed by hand.
 #include <gtest/gtest.h>
 
 #include "world.hpp"
@@ -51,7 +51,7 @@ TEST(CollisionTest, ARoundRobotSlidesAlongTheWallWhileItTurnsAway) {
   world.drive(row, 0.1, 0.5);
   world.step(20);
   EXPECT_NEAR(world.pose(row).position.x(), at_wall.x(), kTouching);
-  // what is along the wall of the way that it turns through: v / w (1 - cos 1)
+  // the part along the wall of the commanded way during the turn: v / w (1 - cos 1)
   EXPECT_NEAR(world.pose(row).position.y(), at_wall.y() + 0.2 * (1.0 - std::cos(1.0)), 1e-6);
   EXPECT_NEAR(headingOf(world.pose(row)), 1.0, 1e-9);
   EXPECT_NEAR(world.twist(row).angular.z(), 0.5, 1e-9);
@@ -103,7 +103,7 @@ TEST(CollisionTest, ARobotPassesUnderATableButNotThroughItsLeg) {
 }
 
 TEST(CollisionTest, OnlyTheShapesAtAHeightMeet) {
-  // a sill of 4 cm: lower than the gripper's 3.5 to 6.5 cm only in part; a beam from 10 to 12 cm meets the body alone
+  // a sill of 4 cm, which overlaps only part of the gripper's 3.5 to 6.5 cm; a beam from 10 to 12 cm hits the body only
   World world;
   world.addBlock({0.1, 1.0, 0.02}, {2.0, 2.0, 0.11});
   const Row row = world.addFootbot(flatPose(1.5, 2.0));

@@ -1,5 +1,5 @@
-// Which devices engines take together: a joint or a holder is commanded by one device, and devices that work with all
-// of a robot's parts count as each of these.
+// Combinations of devices that engines accept: one device commands a joint or a holder, and devices that work with all
+// of a robot's parts count as users of each of them.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -87,7 +87,7 @@ TEST(CommandedPartsInAPlaneTest, OnlyATurretAndAGripperCanBeSimulated) {
             "device 'holders' cannot be simulated in a plane");
 }
 
-/// In three dimensions: there a link that an arm turns is a body of its own, and a gripper turns with a turret alone.
+/// In three dimensions, a link that an arm turns is a rigid body of its own, and a gripper turns only with a turret.
 TEST(CommandedPartsInSpaceTest, AGripperOnATurretIsRefusedBesideAnArm) {
   const dynamics3d::Dynamics3d space;
   auto model = std::make_shared<EntityModel>(*robotModel("footbot"));

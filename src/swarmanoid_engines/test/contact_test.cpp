@@ -1,4 +1,4 @@
-// What a robot does at contact: it gets there, slides, turns, and always comes free again.
+// Robots at contact: they get there, slide, turn, and always come free again.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -110,7 +110,7 @@ TEST(ContactTest, NobodyIsPushedThroughAnother) {
 }
 
 TEST(ContactTest, WhoIsPushedOutIsSeenByThoseWhoHadLookedAround) {
-  // a robot that turns at a wall slips towards one that stands still, far from anything that moves, and then drives
+  // a robot turning at a wall slips towards one that stands still, far from all that move, and that drives afterwards
   World world;
   world.addBlock({0.1, 4.0, 0.5}, {2.0, 2.0, 0.25});
   const Row turning = world.addFootbot(flatPose(kWall - kTip, 2.0));
@@ -130,7 +130,7 @@ class ApproachTest : public testing::TestWithParam<std::tuple<double, double>> {
   double speed() const { return std::get<0>(GetParam()); }
   double dt() const { return std::get<1>(GetParam()); }
 
-  /// Drives on for 3 s at what it stands at, then back. @param x where its origin is at contact [m]
+  /// Drives against an obstacle for 3 s, then back. @param x of its origin at contact [m]
   void expectContactAndFreedom(World& world, Row row, double x, const char* what) {
     world.drive(row, speed());
     tick(world, dt(), static_cast<int>(std::ceil(3.0 / dt())));

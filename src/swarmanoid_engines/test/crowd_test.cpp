@@ -14,8 +14,8 @@ using Eigen::Vector2d;
 
 constexpr double kAllowedDepth = 2e-9;  // m: the engine's tolerance and rounding
 
-/// How deep two footbots sink into each other; below 0: they are apart. Written apart from the engine: from the poses
-/// in the space, the shapes of figure 3.9, and Minkowski sums.
+/// Depth of overlap of two footbots; below 0: they are apart. Written independently of the engine: from the poses in
+/// the space, the shapes of figure 3.9, and Minkowski sums.
 class FootbotDepth {
  public:
   explicit FootbotDepth(const Pose& pose)
@@ -33,7 +33,7 @@ class FootbotDepth {
       for (const Circle& other_circle : other.circles_) {
         deepest = std::max(deepest, circle.radius + other_circle.radius - (circle.centre - other_circle.centre).norm());
       }
-      // the wheels' heights, 0 to 5.8 cm, meet the gripper's, 3.5 to 6.5 cm
+      // the wheels' heights, 0 to 5.8 cm, overlap the gripper's, 3.5 to 6.5 cm
       deepest = std::max(deepest, other.squareDepth(circle));
     }
     for (const Circle& other_circle : other.circles_) {
@@ -91,7 +91,7 @@ class Crowd {
     }
   }
 
-  /// All turn towards the point and drive.
+  /// Turns all robots towards the point and drives them.
   void driveTo(const Vector2d& point) {
     for (const Row row : rows) {
       const Pose& pose = world.pose(row);
@@ -173,7 +173,7 @@ TEST(CrowdTest, RobotsThatLookAroundInEachTickGoWhereTheOthersGo) {
   Crowd crowd(300, 15, 0.4, 1);
   Crowd careful(300, 15, 0.4, 1);
   for (int tick = 0; tick < 400; ++tick) {
-    careful.world.engine.place(careful.world.space, careful.wall);  // all that is known of distances is forgotten
+    careful.world.engine.place(careful.world.space, careful.wall);  // discards all that the engine knows of distances
     for (Crowd* each : {&crowd, &careful}) {
       each->driveTo(tick < 200 ? Vector2d(3.5, 3.5) : Vector2d(tick % 80 < 40 ? -20.0 : 20.0, 3.5));
       each->world.step();

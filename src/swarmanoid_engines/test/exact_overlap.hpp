@@ -1,4 +1,4 @@
-/// How deep bodies that stand on the ground are in each other, by the exact shapes of their models: no engine is asked.
+/// Depth of overlap of bodies on the ground, by the exact shapes of their models, independently of any engine.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace swarmanoid {
 
-/// The shapes of an entity where it is in the plane z = 0, its joints where they are.
+/// The shapes of an entity at its pose in the plane z = 0, with its joints at their angles.
 inline std::vector<planar::PlanarShape> placedShapes(const Space& space, Row row) {
   const planar::Plane plane;
   const EntityModel& entity = *space.entities.model[row];
@@ -37,7 +37,7 @@ inline double overlapOf(const Space& space, Row a, Row b) {
   return deepest;
 }
 
-/// The deepest overlap of any two of these entities of which one at least may move [m].
+/// The deepest overlap of any two of these entities, of which at least one is movable [m].
 inline double deepestOverlap(const Space& space, const std::vector<Row>& rows) {
   double deepest = 0.0;
   const Entities& entities = space.entities;

@@ -1,5 +1,5 @@
-// Bodies that move freely, or with their block, come where they would have come one after another, whatever the size of
-// blocks, and the order in which they move.
+// Bodies that move freely, or with their block, reach the poses that they would reach one after another, whatever the
+// size of blocks and the order in which they move.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,14 +13,14 @@ namespace swarmanoid::kinematics2d {
 namespace {
 
 struct Scene {
-  double side;  // of the square in which all are, m
+  double side;  // m, of the square that holds all bodies
   int subclock;
-  std::size_t block;     // of how many bodies
-  double fastest = 0.3;  // robot [m/s]; from 0.425 on footbots go in pieces
+  std::size_t block;     // number of bodies
+  double fastest = 0.3;  // robot [m/s]; from 0.425 on footbots move in pieces
   bool has_grips = true;
 };
 
-/// As if the last thread were always the first to do anything.
+/// Runs the ranges in reverse order, as if the last thread always came first.
 class LastFirst : public Parallel {
  public:
   std::size_t threads() const override { return 1000; }
@@ -36,7 +36,7 @@ class LastFirst : public Parallel {
   }
 };
 
-/// Footbots, some with turrets, among preys, handbots, a wall and mirrors that wander; all do things at random.
+/// Footbots, some with turrets, among preys, handbots, a wall and wandering mirrors; all act at random.
 class Hustle {
  public:
   explicit Hustle(const Scene& scene)
@@ -86,7 +86,7 @@ class Hustle {
     if (number % 7 == 3) {
       world.addPrey(0.05, 0.1, x, y);
     } else if (number % 13 == 6) {
-      world.add(robotModel("handbot"), flatPose(x, y));  // which several may hold
+      world.add(robotModel("handbot"), flatPose(x, y));  // several may grip it
     } else if (number % 11 == 5) {
       mirrors.push_back(world.add(cylindricPreyModel(0.05, 0.1), flatPose(x, y), Role::kMirror));
     } else if (number % 5 == 1) {
@@ -125,7 +125,7 @@ TEST_P(FreeMotionScenesTest, AllComeWhereTheyWouldHaveComeInTurn) {
       ASSERT_EQ(a.structure.grippedBy(row), b.structure.grippedBy(row)) << "tick " << tick;
     }
   }
-  // grips and releases: they have met
+  // grips and releases happened, so bodies have met
   if (GetParam().has_grips) {
     EXPECT_GT(first.grips, 20);
   } else {
@@ -133,7 +133,7 @@ TEST_P(FreeMotionScenesTest, AllComeWhereTheyWouldHaveComeInTurn) {
   }
 }
 
-/// What takes part in a group goes with it, also where the first of its grippers has no drive.
+/// Members of a group go along with it, even if the first of its grippers has no drive.
 TEST(FreeMotionTest, AGroupWhoseFirstGripperHasNoDriveGoesTheMeanOfAllWays) {
   World world;
   auto without_wheels = std::make_shared<EntityModel>(*footbotModel());

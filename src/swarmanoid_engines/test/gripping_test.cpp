@@ -109,7 +109,7 @@ TEST(GrippingTest, WhatWasLetGoIsInTheWayAtOnce) {
 TEST(GrippingTest, TheNearestIsTakenAndThenTheOldest) {
   World world;
   const Row footbot = world.addFootbot(flatPose(2.0, 2.0));
-  // two preys aside of the tip at (2.11, 2): the second is nearer
+  // two preys beside the tip at (2.11, 2): the second is nearer
   world.addPrey(0.03, 0.12, 2.11 + 0.005, 2.0 + 0.045);
   const Row nearer = world.addPrey(0.03, 0.12, 2.11 + 0.005, 2.0 - 0.04);
   world.setGripper(footbot, true);
@@ -167,7 +167,7 @@ TEST(GrippingTest, ARobotWithoutADriveIsGrippedOneThatFliesIsNot) {
     world.setGripper(gripper, true);
     world.step();
     EXPECT_EQ(world.space.structure.grippedBy(gripper), flies ? kNoRow : other);
-    world.space.structure.connect(gripper, other);  // as another engine may have it
+    world.space.structure.connect(gripper, other);  // another engine may allow it
     EXPECT_EQ(world.engine.unsupportedGripReason(world.space, gripper),
               flies ? "grips the robot 'e2', which this engine cannot hold" : "");
   }

@@ -1,4 +1,4 @@
-// Two footbots grip the strip of a handbot, one on each side, by turrets that are turned to it, and carry it, in each
+// Two footbots grip the strip of a handbot, one on each side, with turrets turned towards it, and carry it, in each
 // engine.
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kHeading = 0.83;  // rad, of the handbot
-constexpr double kAskew = 0.29;    // rad, by which the footbots look further left than the handbot
+constexpr double kAskew = 0.29;    // rad, between the headings of the footbots and that of the handbot, to the left
 constexpr double kApart =
     0.265;  // m, between the axes of a footbot and of the handbot: the strip's radius, the tip, 1 cm
 
@@ -68,7 +68,7 @@ TYPED_TEST(HandbotCarryingTest, ItGoesWhereTwoFootbotsGo) {
   ASSERT_EQ(world.space.structure.grippersOf(carried.handbot).size(), 2U);
   carried.drive(0.07, 0.07);
   world.step(43);
-  // 0.07 m/s for 4.3 s; motors of dynamics3d take 0.07 / 3 s to be as fast, which costs 0.8 mm
+  // 0.07 m/s for 4.3 s; motors of dynamics3d take 0.07 / 3 s to reach that speed, which costs 0.8 mm
   EXPECT_LT((carried.way() - carried.ahead(0.301)).norm(), 2e-3) << carried.way().transpose();
   EXPECT_NEAR(headingIn(world.pose(carried.handbot)), kHeading, 5e-3);
   EXPECT_EQ(world.space.structure.grippersOf(carried.handbot).size(), 2U);
@@ -83,7 +83,7 @@ TYPED_TEST(HandbotCarryingTest, WhoLetsGoLeavesItBehind) {
   world.step();
   EXPECT_TRUE(world.space.structure.grippersOf(carried.handbot).empty());
   const Vector3d footbot = world.pose(carried.footbots[0]).position;
-  carried.drive(0.07, -0.07);  // away from it, as they look askew
+  carried.drive(0.07, -0.07);  // away from it, because of their headings
   world.step(10);
   EXPECT_LT(carried.way().norm(), 1e-3);
   EXPECT_NEAR((world.pose(carried.footbots[0]).position - footbot).norm(), 0.07, 2e-3);
@@ -102,7 +102,7 @@ TEST(KinematicCarryingTest, ItGoesTheMeanOfTheWaysAndKeepsItsPlace) {
   world.step(20);
   EXPECT_LT((carried.way() - carried.ahead(2.0 * 0.075)).norm(), 1e-12);
   EXPECT_NEAR(world.twist(carried.footbots[1]).linear.norm(), 0.075, 1e-12);
-  world.drive(carried.footbots[0], 0.05, 0.36);  // what one turns alone, both turn half
+  world.drive(carried.footbots[0], 0.05, 0.36);  // a turn by one of them makes both turn half as much
   world.drive(carried.footbots[1], 0.05);
   world.step(100);
   EXPECT_NEAR(std::remainder(headingIn(world.pose(carried.handbot)) - kHeading - 1.8, 2.0 * M_PI), 0.0, 1e-12);
@@ -113,7 +113,7 @@ TEST(KinematicCarryingTest, ItGoesTheMeanOfTheWaysAndKeepsItsPlace) {
 TEST(KinematicCarryingTest, WhoIsInTheWayOfOneStopsAll) {
   Carried<kinematics2d::World> carried;
   kinematics2d::World& world = carried.world;
-  // its near face is 0.2 m ahead of the left footbot's front, far to the side of the handbot
+  // its near face is 0.2 m ahead of the left footbot's front, far beside the handbot
   const Vector3d left = world.pose(carried.footbots[0]).position;
   const double heading = kHeading + kAskew;
   const Vector3d wall = left + (0.085 + 0.2 + 0.05) * Vector3d(std::cos(heading), std::sin(heading), 0.0);
@@ -138,7 +138,7 @@ TEST(KinematicCarryingTest, WhoSwingsAroundItJumpsThroughNoThinWall) {
     world.drive(footbot, 0.0, 12.0);
   }
   world.step();
-  // its side touches the footbot's, 0.085 m from that one's axis
+  // its side touches the footbot's, 0.085 m from the footbot's axis
   const double room = kAhead - std::asin((0.085 + 0.01) / kApart);
   const double turned = headingIn(world.pose(carried.handbot)) - kHeading;
   EXPECT_NEAR(turned, room, 0.15 / 16.0) << "a piece of 0.15 rad, less than a 16th of it";

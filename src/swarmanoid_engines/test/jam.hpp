@@ -1,4 +1,4 @@
-/// Crowds that press: into a corner, through a gate, into a ring, against each other.
+/// Crowds under pressure: in a corner, a gate, a ring, against each other.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct JamCase {
   const char* place;
   int count;
   int subclock;
-  /// Where a robot drives, in sides of the room. @param index of the robot
+  /// Target of a robot, in sides of the room. @param index of the robot
   std::function<Vector2d(int index)> target;
 };
 
@@ -40,7 +40,7 @@ inline Vector2d eachOther(int index) { return index % 2 == 0 ? Vector2d(0.0, 0.5
 template <class World>
 class Jam {
  public:
-  /// @param world that is empty, with an arena of 25 m x 25 m
+  /// @param world empty, with an arena of 25 m x 25 m
   Jam(const JamCase& values, World& world)
       : values_(values), room_(std::max(6.0, 0.6 + 0.32 * std::sqrt(values.count))), world_(world) {
     for (const double side : {-0.1, room_ + 0.1}) {
@@ -75,7 +75,7 @@ class Jam {
     world_.step();
   }
 
-  /// How far the outermost robot's body is in a wall [m].
+  /// Depth of the outermost robot's body in a wall [m].
   double deepestInWall() const {
     constexpr double kBody = 0.085;  // m
     double deepest = 0.0;
@@ -86,7 +86,7 @@ class Jam {
     return deepest;
   }
   double deepestInEachOther() const { return deepestOverlap(world_.space, robots_); }
-  /// How far the axes of the two nearest robots are from each other [m].
+  /// Distance between the axes of the two nearest robots [m].
   double nearestPair() const {
     double nearest = HUGE_VAL;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -113,7 +113,7 @@ class Jam {
   std::vector<Row> robots_;
 };
 
-/// The deepest overlaps that were seen [m].
+/// The deepest overlaps during a run [m].
 struct Depths {
   double in_wall = 0.0;
   double in_others = 0.0;
@@ -135,7 +135,7 @@ Depths press(const JamCase& values, World& world, int ticks = 300) {
   return depths;
 }
 
-/// Expects that robots have come to touch, and that none is deeper than this in a wall or in another one [m].
+/// Expects that robots have touched, and that none was deeper than this in a wall or in another one [m].
 inline void expectDepths(const Depths& depths, double in_wall, double in_others) {
   EXPECT_LT(depths.in_wall, in_wall);
   EXPECT_LT(depths.in_others, in_others);

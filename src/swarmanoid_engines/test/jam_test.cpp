@@ -1,4 +1,4 @@
-// Crowds that press: no robot leaves the room, none overlaps another, whatever the step.
+// Crowds under pressure: no robot leaves the room, none overlaps another, at any time step.
 #include "jam.hpp"
 
 #include <gtest/gtest.h>

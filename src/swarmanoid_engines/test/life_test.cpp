@@ -1,4 +1,4 @@
-// What the engine accepts, and that what leaves it leaves no trace.
+// Entities that the engine accepts; and those that leave it leave no trace.
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Where velocities take bodies that nothing is in the way of.
+// Motion of unobstructed bodies at commanded velocities.
 #include <gtest/gtest.h>
 
 #include "world.hpp"
@@ -47,7 +47,7 @@ TEST_P(MotionTest, AnArcEndsWhereTheCircleSays) {
   EXPECT_NEAR(world.pose(row).position.y(), 5.0 + radius * (1.0 - std::cos(angle)), 1e-9);
   EXPECT_NEAR(headingOf(world.pose(row)), angle, 1e-9);
   EXPECT_NEAR(world.twist(row).angular.z(), turn_rate, 1e-9);
-  // at the end of the tick the robot moves where it looks
+  // at the end of the tick the robot moves along its heading
   const Vector3d ahead(std::cos(angle), std::sin(angle), 0.0);
   EXPECT_LT((world.twist(row).linear - speed * ahead).norm(), 1e-9) << world.twist(row).linear.transpose();
 }

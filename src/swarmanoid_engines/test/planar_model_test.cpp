@@ -35,7 +35,7 @@ Eigen::AlignedBox2d boundsOf(const PlanarShape& shape) {
   return bounds;
 }
 
-/// Twice the area; positive if the vertices go round counter-clockwise.
+/// Twice the area; positive for counter-clockwise vertices.
 double twiceArea(const PlanarShape& shape) {
   double sum = 0.0;
   for (std::size_t i = 0; i < shape.vertices.size(); ++i) {

@@ -32,7 +32,7 @@ PlanarShape square(const Vector2d& centre, double angle = 0.0) {
   return shape;
 }
 
-/// 3 to 8 corners on an ellipse of half axes from 0.2 to 1, turned anyhow.
+/// A polygon of 3 to 8 corners on an ellipse with half axes from 0.2 to 1, turned at random.
 PlanarShape anyPolygon(std::mt19937& random) {
   std::uniform_real_distribution<double> part(0.0, 1.0);
   std::array<double, 8> angles;
@@ -49,7 +49,7 @@ PlanarShape anyPolygon(std::mt19937& random) {
   return shape;
 }
 
-/// The nearest of many points along the outline: at most 2 / kPoints^2 / distance too far.
+/// Distance to the nearest of many points along the outline: at most 2 / kPoints^2 / distance too large.
 double distanceToOutline(const PlanarShape& polygon, const Vector2d& point) {
   constexpr int kPoints = 4000;
   double nearest = std::numeric_limits<double>::infinity();
@@ -63,7 +63,7 @@ double distanceToOutline(const PlanarShape& polygon, const Vector2d& point) {
   return nearest;
 }
 
-/// How often the outline goes around a point, by the angles at which its corners are seen from there.
+/// Whether the outline goes around a point, by the angles at which its corners are seen from there.
 bool isInside(const PlanarShape& polygon, const Vector2d& point) {
   double turns = 0.0;
   for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
@@ -74,7 +74,7 @@ bool isInside(const PlanarShape& polygon, const Vector2d& point) {
   return turns > 0.5;
 }
 
-/// Overlap does not depend on who is asked.
+/// Overlap does not depend on the order of shapes.
 bool areOverlapping(const PlanarShape& a, const PlanarShape& b) {
   EXPECT_EQ(overlap(a, b), overlap(b, a));
   return overlap(a, b);
@@ -110,7 +110,7 @@ TEST(PlanarOverlapTest, CircleInsideAndAround) {
 }
 
 TEST(PlanarOverlapTest, CirclesAnywhereAtPolygonsOfAnyForm) {
-  constexpr double kNearly = 1e-4;  // m: by how much the nearest of the points may be too far, and more
+  constexpr double kNearly = 1e-4;  // m: more than the error of the distance to the outline
   std::mt19937 random(20261128);
   std::uniform_real_distribution<double> coordinate(-1.2, 1.2);
   std::array<int, 3> cases{};
@@ -120,7 +120,7 @@ TEST(PlanarOverlapTest, CirclesAnywhereAtPolygonsOfAnyForm) {
     const double distance = distanceToOutline(polygon, centre);
     const bool is_inside = isInside(polygon, centre);
     ++cases[is_inside ? 0 : distance < 0.4 ? 1 : 2];
-    if (distance > 0.02) {  // nearer, the points are too far apart
+    if (distance > 0.02) {  // for smaller distances, the points are too far apart
       EXPECT_EQ(areOverlapping(circle(centre, distance - kNearly), polygon), is_inside) << "polygon " << i;
     }
     EXPECT_TRUE(areOverlapping(circle(centre, distance + kNearly), polygon)) << "polygon " << i;

@@ -13,7 +13,7 @@
 
 namespace swarmanoid {
 
-/// A footbot as figure 3.9 has it: a body, two wheels, a square gripper. Radius 0.085 m, gripper's tip at 0.11 m.
+/// A footbot as in figure 3.9: a body, two wheels, a square gripper. Radius 0.085 m, gripper's tip at 0.11 m.
 inline std::shared_ptr<const EntityModel> footbotModel() {
   static const auto model = [] {
     auto footbot = std::make_shared<EntityModel>();
@@ -74,7 +74,7 @@ class PlanarWorld {
     space.engines.push_back(&engine);
   }
 
-  /// An entity in the space only.
+  /// Adds an entity to the space only.
   Row addToSpace(const std::shared_ptr<const EntityModel>& model, const Pose& pose) {
     const Row row = space.entities.add("e" + std::to_string(++count_), model, pose, colors::kBlack);
     space.mover[row] = nullptr;
@@ -88,7 +88,7 @@ class PlanarWorld {
     }
     return row;
   }
-  /// A robot with commands for its wheels and its gripper, and with these devices besides.
+  /// A robot with commands for its wheels and its gripper, and with additional devices.
   template <class... Devices>
   Row addRobot(const std::shared_ptr<const EntityModel>& model, const Pose& pose) {
     const Row row = addToSpace(model, pose);
@@ -101,7 +101,7 @@ class PlanarWorld {
     return row;
   }
   Row addFootbot(const Pose& pose) { return addRobot(footbotModel(), pose); }
-  /// A robot that has commands for all of that and for its turret.
+  /// A robot with commands for its wheels, its gripper and its turret.
   Row addTurret(const Pose& pose, const std::shared_ptr<const EntityModel>& model = robotModel("footbot")) {
     return addRobot<FootbotTurret>(model, pose);
   }
@@ -123,7 +123,7 @@ class PlanarWorld {
     space.entities.remove(row);
   }
 
-  /// Wheel speeds from the velocity of a footbot. @param speed [m/s]; @param turn_rate [rad/s]
+  /// Sets the wheel speeds for a velocity of a footbot. @param speed [m/s]; @param turn_rate [rad/s]
   void drive(Row row, double speed, double turn_rate = 0.0) {
     const EntityModel::Wheels& geometry = *footbotModel()->wheels;
     const double difference = 0.5 * turn_rate * geometry.separation;
@@ -132,7 +132,7 @@ class PlanarWorld {
   }
   void setGripper(Row row, bool closed) { space.actuation.bank<FootbotGripper>().find(row)->closed = closed; }
 
-  /// Ticks of 0.1 s.
+  /// Runs ticks of 0.1 s.
   void step(int ticks = 1) {
     for (int i = 0; i < ticks; ++i) {
       space.events.clear();

@@ -46,7 +46,7 @@ TEST(RaysTest, ARayFromAboveHitsTheTop) {
   const RayHit top = world.castRay({5.0, 5.0, 1.146}, {5.0, 5.0, 0.146 - 1.0});
   EXPECT_EQ(top.row, footbot);
   EXPECT_NEAR(top.fraction, 0.5, 1e-12);
-  // beside the body stands the gripper, its top at 6.5 cm
+  // the gripper is beside the body, its top at 6.5 cm
   EXPECT_NEAR(world.castRay({5.1, 5.0, 1.0}, {5.1, 5.0, 0.0}).fraction, 0.935, 1e-12);
   EXPECT_EQ(world.castRay({5.2, 5.0, 1.0}, {5.2, 5.0, 0.0}).row, kNoRow);
 }
@@ -108,14 +108,14 @@ TEST(RaysTest, AMirrorIsHitByTheEngineThatMovesIt) {
   test::carryOut(world.space);
   world.engine.add(world.space, mirror, Role::kMirror);
   EXPECT_EQ(world.castRay({3.0, 5.0, 0.5}, {7.0, 5.0, 0.5}).row, kNoRow);
-  // nobody moves it: then this engine answers
+  // no engine moves it, so this engine reports the hit
   world.space.mover[mirror] = nullptr;
   world.step();
   EXPECT_EQ(world.castRay({3.0, 5.0, 0.5}, {7.0, 5.0, 0.5}).row, mirror);
 }
 
 TEST(RaysTest, ARobotOnTheMoveSeesWhatComesNear) {
-  // what the engine knows of distances saves it looking, and must not make it blind
+  // known distances save searches for neighbours; they must not hide hits
   World world;
   const Row mover = world.addFootbot(flatPose(1.0, 5.0));
   const Row other = world.addRobot(discModel(0.1, 0.3), flatPose(3.0, 5.0, M_PI));
@@ -133,7 +133,8 @@ TEST(RaysTest, ARobotOnTheMoveSeesWhatComesNear) {
   }
 }
 
-/// The same entities in an engine, and in none: then the space hits their solids itself, with other code.
+/// Compares entities in an engine with the same entities in none, for which the space tests rays itself, with other
+/// code.
 class RandomRaysTest : public testing::TestWithParam<const char*> {
  protected:
   void fill(World& world, World& reference, const std::string& axis) {
@@ -171,7 +172,7 @@ TEST_P(RandomRaysTest, TenThousandRaysHitWhatTheSolidsSay) {
     const RayHit hit = world.castRay(from, to, ignored);
     const RayHit expected = reference.castRay(from, to, ignored);
     ASSERT_NEAR(hit.fraction, expected.fraction, 1e-9) << i;
-    ASSERT_TRUE(hit.row == expected.row || hit.fraction == 0.0) << i;  // inside several, either will do
+    ASSERT_TRUE(hit.row == expected.row || hit.fraction == 0.0) << i;  // inside several, either is correct
     hit_count += hit.row != kNoRow ? 1 : 0;
   }
   EXPECT_GT(hit_count, 2000);
@@ -190,7 +191,7 @@ TEST_P(RandomRaysTest, ABundleHitsWhatItsRaysHitAlone) {
     RayBundle bundle;
     bundle.centre = {place(random_), place(random_), place(random_)};
     bundle.radius = 0.5;
-    std::vector<Segment> segments(70);  // more than are handled at once
+    std::vector<Segment> segments(70);  // more than the engine handles at once
     for (Segment& segment : segments) {
       const Vector3d a(unit(random_), unit(random_), unit(random_));
       const Vector3d b(unit(random_), unit(random_), unit(random_));
@@ -207,7 +208,7 @@ TEST_P(RandomRaysTest, ABundleHitsWhatItsRaysHitAlone) {
   }
 }
 
-/// Around a point, in the plane of figure 3.9.
+/// Rays around a point, in the plane of figure 3.9.
 std::vector<Segment> ringAround(const Vector3d& centre, double length) {
   std::vector<Segment> segments(24);
   for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -230,7 +231,7 @@ bool passesBy(const Segment& segment, const Obstacles& obstacles) {
          });
 }
 
-/// Expects that a ray meets what is exactly a circle where it comes into that. @return how many circles are
+/// Expects that a ray hits an exactly circular obstacle where it enters its circle. @return number of exact circles
 int expectExactCircles(const Space& space, const Segment& segment, const Obstacles& obstacles) {
   FlatRays<1> ray;
   ray.resize(1);
@@ -247,7 +248,8 @@ int expectExactCircles(const Space& space, const Segment& segment, const Obstacl
   return exact;
 }
 
-/// What of them hits something, and what passes by an obstacle; expects the former to be among the latter.
+/// Numbers of rays that hit, of rays that pass by an obstacle, and of exact circles; expects that every ray that hits
+/// passes by an obstacle.
 std::array<int, 3> hitsPassesAndExactCircles(const Space& space, const Vector3d& centre) {
   constexpr double kLength = 0.15;
   const std::vector<Segment> segments = ringAround(centre, kLength);
@@ -285,7 +287,7 @@ TEST_P(RandomRaysTest, WhatABundleHitsIsAmongItsObstacles) {
       std::transform(counts.begin(), counts.end(), sum.begin(), sum.begin(), std::plus<>());
     }
     EXPECT_GT(sum[0], kRings);
-    // seen from above a wall or a robot leaves part of a ring free
+    // seen from above, a wall or a robot leaves part of a ring free
     const bool is_seen_from_above = GetParam() == std::string("z") || space == &reference.space;
     EXPECT_TRUE(sum[1] < 18 * kRings || !is_seen_from_above) << sum[1];
     EXPECT_EQ(sum[2] > 100, is_seen_from_above && space != &reference.space) << sum[2];

@@ -1,4 +1,4 @@
-// One world in all engines whose law is the same there: along a wall, pressed to a wall, pushed off the middle.
+// The same worlds in all engines with the same law there: along a wall, pressed to a wall, pushed off the middle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr double kAgree = 0.03;
 dynamics3d::World dynamics3dWorld(double friction, const std::string& subclock) {
   return dynamics3d::World({{"friction", std::to_string(friction)}, {"subclock", subclock}});
 }
-/// Loads stand on their corners, as they do in dynamics3d.
+/// Loads rest on their corners, as in dynamics3d.
 PlanarWorld<dynamics2d::Dynamics2d> dynamics2dWorld(double friction, const std::string& subclock) {
   const std::string value = std::to_string(friction);
   return PlanarWorld<dynamics2d::Dynamics2d>(
@@ -31,7 +31,7 @@ PlanarWorld<dynamics2d::Dynamics2d> dynamics2dWorld(double friction, const std::
 
 struct Case {
   double friction;
-  double degrees;  // from straight at the wall
+  double degrees;  // heading, from the wall's normal
   double turn;     // of the world [rad]
   std::string subclock;
 };
@@ -81,7 +81,7 @@ struct SqueezeCase {
   double friction;
   double mass;  // kg, of the block
   double turn;
-  double speed;  // of the robot that pushes the block along [m/s]
+  double speed;  // of the robot that pushes the block along the wall [m/s]
 };
 
 void PrintTo(const SqueezeCase& values, std::ostream* out) {

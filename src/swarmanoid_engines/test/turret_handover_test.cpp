@@ -1,4 +1,4 @@
-// A footbot whose turned turret holds a prey goes from engine to engine; state and grip come along.
+// A footbot with a turned turret that holds a prey is handed from engine to engine; state and grip are kept.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,7 +39,7 @@ class Journey {
     engine().move(space, space.clocktick);
     engine().connect(space);
   }
-  /// To the next engine.
+  /// Hands both entities to the next engine.
   void handOver() {
     for (const Row row : {prey, footbot}) {
       engine().remove(space, row);
@@ -51,7 +51,7 @@ class Journey {
   Pose& pose(Row row) { return space.entities.pose[row]; }
   Twist& twist(Row row) { return space.entities.twist[row]; }
   JointState& joint() { return space.joints[footbot][0]; }
-  /// Of the prey, against where the turret points.
+  /// Position of the prey in the turret's frame.
   Vector3d place() {
     const Pose& robot = pose(footbot);
     const Eigen::AngleAxisd turn(joint().angle, Vector3d::UnitZ());

@@ -1,4 +1,4 @@
-/// What tests of turrets share.
+/// Shared by tests of turrets.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Turrets without forces: they turn as commanded, with what they hold, and never into anything.
+// Turrets without forces: they turn as commanded, with the gripped body, and never into an obstacle.
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A footbot with a turret at (2, 2), closed on a prey whose centre is this far ahead.
+/// A footbot with a turret at (2, 2), closed on a prey whose centre is kArm ahead.
 struct Holder {
   static constexpr double kArm = 0.22;  // m
 
@@ -27,7 +27,7 @@ struct Holder {
   FootbotTurret& turret() { return world.turret(footbot); }
   double angle() const { return world.turretState(footbot).angle; }
   Vector3d way() const { return world.pose(prey).position - world.pose(footbot).position; }
-  /// Of the prey, from the footbot, in the world.
+  /// Direction from the footbot to the prey, in W.
   double bearing() const { return std::atan2(way().y(), way().x()); }
 
   World world;
@@ -47,7 +47,7 @@ TEST(TurretTest, TurnsToAnAngleInTheTimeThatItsSpeedTakes) {
     EXPECT_NEAR(world.turretState(footbot).speed, kTurretSpeed, 1e-12);
     world.step();
     EXPECT_EQ(world.turretState(footbot).angle, 2.0);
-    EXPECT_NEAR(world.turretState(footbot).speed, 2.0, 1e-9);  // the rest, on the average of the tick
+    EXPECT_NEAR(world.turretState(footbot).speed, 2.0, 1e-9);  // mean speed of the tick for the rest of the way
     world.step();
     EXPECT_EQ(world.turretState(footbot).angle, 2.0);
     EXPECT_EQ(world.turretState(footbot).speed, 0.0);
@@ -108,10 +108,10 @@ TEST(TurretTest, ThatOfAMirrorIsWhereTheSpaceSays) {
 TEST(TurretTest, StopsBeforeWhatIsInTheWay) {
   World world({10.0, 10.0, 2.0}, 10);
   const Row footbot = world.addTurret(flatPose(2.0, 2.0));
-  world.addBlock({0.5, 0.02, 0.2}, {2.0, 2.11, 0.1});  // its near side at y = 2.1: the tip does not get by
+  world.addBlock({0.5, 0.02, 0.2}, {2.0, 2.11, 0.1});  // its near side at y = 2.1, in the way of the tip
   world.turret(footbot).turnAt(1.0);
   world.step(30);
-  // where a corner of the gripper, 0.11 ahead and 0.02 to the left, reaches y = 0.1
+  // angle at which a corner of the gripper, 0.11 ahead and 0.02 to the left, reaches y = 0.1
   const double reached = std::asin(0.1 / std::hypot(0.11, 0.02)) - std::atan2(0.02, 0.11);
   EXPECT_LE(world.turretState(footbot).angle, reached + 1e-9);
   EXPECT_GE(world.turretState(footbot).angle, reached - 0.01 - 1e-9);
@@ -142,7 +142,7 @@ TEST(TurretTest, WhatIsHeldStopsItAtAnObstacle) {
   world.addBlock({1.0, 0.02, 0.2}, {2.0, 2.21, 0.1});  // its near side at y = 2.2
   holder.turret().turnAt(1.0);
   world.step(50);
-  const double reached = std::asin(0.1 / Holder::kArm);  // where the prey touches
+  const double reached = std::asin(0.1 / Holder::kArm);  // angle at which the prey touches
   EXPECT_LE(holder.angle(), reached + 1e-9);
   EXPECT_GE(holder.angle(), reached - 0.01 - 1e-9);
   world.drive(holder.footbot, -0.1);
@@ -173,7 +173,7 @@ TEST(TurretTest, WhatAPassiveOneHoldsTrails) {
   world.drive(holder.footbot, 0.1);
   for (const double way : {0.1, 0.2, 0.5}) {
     world.step(static_cast<int>(std::lround((2.0 + way - world.pose(holder.footbot).position.y()) / 0.01)));
-    // a tractrix: the tangent of half the angle between rope and way back falls exponentially
+    // a tractrix: the tangent of half the angle between rope and way back decreases exponentially
     const double expected = -M_PI + 2.0 * std::atan(std::exp(-way / Holder::kArm));
     EXPECT_NEAR(holder.angle(), expected, 0.005) << way;
     EXPECT_NEAR(holder.way().norm(), Holder::kArm, 1e-12);
@@ -208,7 +208,7 @@ TEST(TurretTest, TurnsTheSameWayOnAWall) {
   EXPECT_LT((world.pose(prey).position - Vector3d(3.0, 5.0, 5.22)).norm(), 1e-9);
 }
 
-/// A crowd with walls and preys; every third robot grips. @return what moved, as numbers
+/// A crowd with walls and preys; every third robot grips. @return state of all bodies that moved
 std::vector<double> crowd(bool has_turrets, bool turns) {
   World world({3.0, 3.0, 2.0}, 2);
   std::vector<Row> rows;

@@ -1,4 +1,4 @@
-// What each engine says to an entity whose state it could not go on with.
+// Reasons why engines do not take entities in a state that they cannot continue.
 #include <gtest/gtest.h>
 
 #include "dynamics2d/dynamics2d.hpp"

@@ -1,11 +1,10 @@
-// What a world costs that acts: a rule that looks at every robot after each tick, and a floor that is painted and
-// fades.
+// Cost of an active world: a rule that reads every robot after each tick, and a painted floor that fades.
 //
-// Rule: sparse diffusion of simulation_benchmark.cpp; `rule_share` is the part of a tick that the rule takes, `rule_us`
-// how long it takes. Measure: the same with the rules of the suite that measure, and for contacts in a crowd.
-// Floor: 100 footbots that read it, on 10 m x 10 m; of 1,000 x 1,000 cells all are painted, and fade. A tick with its
-// state hash is measured, on the clean floor, on the painted one, and while 100 discs of about 50 cells are painted
-// before each tick.
+// Rule: sparse diffusion of simulation_benchmark.cpp; `rule_share` is the rule's part of a tick, `rule_us` its
+// duration. Measure: the same with the measuring rules of the suite, and for contacts in a crowd.
+// Floor: 100 footbots that read it, on 10 m x 10 m; all of its 1,000 x 1,000 cells are painted, and fade. The benchmark
+// measures a tick with its state hash on the clean floor, on the painted one, and while 100 discs of about 50 cells are
+// painted before each tick.
 #include <benchmark/benchmark.h>
 
 #include "swarmanoid_space/rule.hpp"
@@ -15,7 +14,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Finds the mean place of all robots, and how many are within a metre of the origin.
+/// Computes the mean position of all robots, and the number of robots within a metre of the origin.
 class Watcher final : public Rule {
  public:
   static PluginDescription describe() {
@@ -79,7 +78,7 @@ void measureRule(benchmark::State& state, const std::string& rule, double area_e
   state.counters["rule_us"] = 1e6 * of_rule / static_cast<double>(state.iterations());
 }
 
-constexpr double kSparse = 1.6;  // m2 for each robot
+constexpr double kSparse = 1.6;  // m2 per robot
 
 void BM_Rule(benchmark::State& state) { measureRule(state, "<watcher id='w'/>", kSparse); }
 void BM_Measure(benchmark::State& state, const char* rule) { measureRule(state, rule, kSparse); }

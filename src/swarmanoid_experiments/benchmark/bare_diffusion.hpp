@@ -1,8 +1,8 @@
-/// Diffusion as the shortest program that gives it: discs in arrays, one grid, no space, no devices, no controllers.
-/// What a simulator can be held against.
+/// Diffusion as the shortest possible program: discs in arrays, one grid, no space, no devices, no controllers. A
+/// reference for the speed of a simulator.
 ///
-/// As the experiment: 24 rays of 10 cm from each disc, read by the law of proximity sensors; straight on while nothing
-/// is ahead, else turning away; nothing overlaps. Discs alone, the arena's walls, ticks of 100 ms, metres.
+/// The same as in the experiment: 24 rays of 10 cm from each disc, read by the law of proximity sensors; straight on if
+/// no obstacle is ahead, else turning away; no overlaps. Only discs, the arena's walls, ticks of 100 ms, metres.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +52,7 @@ class BareDiffusion {
   static constexpr int kRays = 24;
   static constexpr double kRadius = 0.085;
   static constexpr double kRange = 0.1;
-  static constexpr double kCell = 0.4;  // as far as discs feel or meet each other while they move
+  static constexpr double kCell = 0.4;  // maximum distance at which moving discs detect or touch each other
   static constexpr double kTick = 0.1;
   static constexpr double kSpeed = 0.1;
   static constexpr double kTurnRate = 1.5;
@@ -115,7 +115,7 @@ class BareDiffusion {
 
   void control(std::size_t i) {
     Disc& disc = discs_[i];
-    std::array<double, kRays> way;  // to what a ray meets
+    std::array<double, kRays> way;  // distance to the hit of each ray
     way.fill(kRange);
     bool is_near = false;
     visitOthers(i, [&](const Disc& other) {
@@ -147,7 +147,7 @@ class BareDiffusion {
     }
   }
 
-  /// @param x, y of its middle in the frame of the disc that looks
+  /// @param x, y of the other disc's centre in the frame of the disc that senses
   void meetDisc(double x, double y, std::array<double, kRays>& way) const {
     for (std::size_t k = 0; k < kRays; ++k) {
       const double along = x * rays_[k].x + y * rays_[k].y;

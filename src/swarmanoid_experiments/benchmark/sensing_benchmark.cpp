@@ -1,10 +1,10 @@
-// What sensing costs: whole ticks of 10,000 footbots on the sparse floor of simulation_benchmark.cpp, one thread, no
-// ROS. They turn on the spot, each with one device, with all of them or with none: robots x ticks per second
-// (items_per_second), and the part of a tick that sensing takes (`sense_share`).
+// Cost of sensing: whole ticks of 10,000 footbots on the sparse floor of simulation_benchmark.cpp, one thread, no ROS.
+// They turn on the spot, each with one device, with all of them or with none: robots x ticks per second
+// (items_per_second), and sensing's part of a tick (`sense_share`).
 //
-// All robots send by range and bearing, about 18 others are within 3 m; with a camera all twelve LEDs of each robot are
-// lit. Ten bulbs hang 2 m above the floor and reach 5 m, LEDs 0.5 m, where they give what bulbs, a hundred times as
-// bright, give at 5 m. The floor has a nest of 4 m in its middle.
+// All robots send by range and bearing, with about 18 others within 3 m; with a camera all twelve LEDs of each robot
+// are lit. Ten bulbs hang 2 m above the floor with a range of 5 m. LEDs have a range of 0.5 m, at which they are as
+// bright as a bulb, which is a hundred times stronger, at 5 m. The floor has a nest of 4 m in its centre.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace swarmanoid {
 namespace {
 
 constexpr int kRobots = 10000;
-constexpr double kArea = 1.6;  // m2 a robot
+constexpr double kArea = 1.6;  // m2 per robot
 
 class Turner final : public Controller {
  public:
@@ -50,7 +50,7 @@ struct Devices {
 };
 
 const Devices kProximity{"", "<footbot_proximity><range>0.1</range></footbot_proximity>"};
-const Devices kScanner{"<footbot_scanner/>", "<footbot_scanner_readings/>"};  // to 1.5 m
+const Devices kScanner{"<footbot_scanner/>", "<footbot_scanner_readings/>"};  // range of 1.5 m
 const Devices kGround{"", "<footbot_ground/>"};
 const Devices kMessages{"<range_and_bearing/>",
                         "<range_and_bearing_received><range>3</range></range_and_bearing_received>"};
@@ -122,7 +122,7 @@ void BM_Ground(benchmark::State& state) { run(state, kGround); }
 void BM_Messages(benchmark::State& state) { run(state, kMessages); }
 /// @param range in cm
 void BM_Camera(benchmark::State& state) { run(state, camera(0.01 * static_cast<double>(state.range(0)))); }
-/// @param range of LEDs in cm, as light sensors feel it
+/// @param range of LEDs for the light sensors, in cm
 void BM_All(benchmark::State& state) {
   const Devices of_light = light(0.01 * static_cast<double>(state.range(0)));
   run(state, kProximity + of_light + kGround + kScanner + kMessages + camera(1.5));

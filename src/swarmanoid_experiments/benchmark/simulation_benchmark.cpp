@@ -1,12 +1,12 @@
 // Whole ticks of the diffusion experiment, one thread, no ROS: robots x ticks per second (items_per_second).
 //
-// Sparse: one footbot on each 1.6 square metres; dense: one on each 0.1. 24 proximity rays of 10 cm, tick 100 ms,
-// subclock 1, collision shapes of thesis figure 3.9.
+// Sparse: one footbot per 1.6 square metres; dense: one per 0.1. 24 proximity rays of 10 cm, tick 100 ms, subclock 1,
+// collision shapes of thesis figure 3.9.
 //
 // Messages: the sparse footbots stand still and send ten bytes by range and bearing in each tick; each has about 18
 // others in range, with lines of sight.
 //
-// Bare: the same diffusion as the shortest program that gives it. Threads: sparse, with one or two. Maze: a thousand
+// Bare: the same diffusion as the shortest possible program. Threads: sparse, with one or two. Maze: a thousand
 // footbots among walls.
 #include <benchmark/benchmark.h>
 
@@ -22,8 +22,8 @@
 namespace swarmanoid {
 namespace {
 
-constexpr double kSparse = 1.6;  // m2 a robot
-constexpr double kDense = 0.1;   // likewise
+constexpr double kSparse = 1.6;  // m2 per robot
+constexpr double kDense = 0.1;   // m2 per robot
 
 class Talker final : public Controller {
  public:
@@ -38,7 +38,7 @@ std::string diffusion(const benchmark::State& state, double area_per_robot) {
   return diffusionExperiment(static_cast<int>(state.range(0)), area_per_robot, "<kinematics2d id='ground'/>");
 }
 
-/// The same with other robots.
+/// The same arena with talking robots.
 std::string talking(const benchmark::State& state) {
   std::string text = diffusion(state, kSparse);
   const std::string end = "</diffusion>";
@@ -48,8 +48,9 @@ std::string talking(const benchmark::State& state) {
                       "<sensors><range_and_bearing_received/></sensors></talker>");
 }
 
-/// A thousand footbots in an arena of 128 m with walls of 1.2 m strewn over it, whose own four walls are there always.
-/// @param walls of 1.2 m @param are_held whether the engine has them: else they are in the way of sensors alone
+/// A thousand footbots in an arena of 128 m with scattered walls of 1.2 m; the arena's own four walls always exist.
+/// @param walls number of scattered walls @param are_held whether the engine has them; otherwise only sensors detect
+/// them
 std::string maze(int walls, bool are_held) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> aside(-0.5, 0.5);
@@ -72,7 +73,7 @@ std::string maze(int walls, bool are_held) {
   return text;
 }
 
-/// Of some more ticks: nanoseconds a robot and tick.
+/// Duration of the phases, measured over some more ticks [ns per robot and tick].
 void reportPhases(benchmark::State& state, Simulation& simulation, std::int64_t robots) {
   constexpr int kTicks = 50;
   PhaseTimes sum;
@@ -124,7 +125,7 @@ void BM_BareSparse(benchmark::State& state) { runBare(state, kSparse); }
 void BM_BareDense(benchmark::State& state) { runBare(state, kDense); }
 void BM_MessagesSparse(benchmark::State& state) { run(state, talking(state), state.range(0)); }
 
-/// The second argument is how many threads there are.
+/// The second argument is the number of threads.
 void BM_DiffusionThreads(benchmark::State& state) {
   std::string text = diffusion(state, kSparse);
   const std::string threads = "<threads>" + std::to_string(state.range(1)) + "</threads>";
@@ -132,7 +133,7 @@ void BM_DiffusionThreads(benchmark::State& state) {
   run(state, text, state.range(0));
 }
 
-/// The first argument is how many walls there are, the second whether the engine has them.
+/// The first argument is the number of walls, the second whether the engine has them.
 void BM_Maze(benchmark::State& state) { run(state, maze(static_cast<int>(state.range(0)), state.range(1) != 0), 1000); }
 
 BENCHMARK(BM_Maze)->Args({0, 1})->Args({1000, 0})->Args({1000, 1})->Unit(benchmark::kMicrosecond);

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""fuzz.py files|images|controllers|launched_controllers: runs the program on inputs that nobody would write, and looks how it ends.
+"""fuzz.py files|images|controllers|launched_controllers: runs the program on unusual inputs, and checks how it ends.
 
-No crash, no hang, no more memory than a machine has, an exit code that the pages know, and a reason for it. Inputs follow
-from seed and number of the case, so that any of them can be made again: what went wrong is kept in the folder."""
+A run must not crash, hang or exceed the memory limit, its exit code must be documented, and it must give a reason. Inputs
+follow from the seed and the case number, so that each can be reproduced; the folder keeps the files of failed cases."""
 
 import argparse
 import atexit
@@ -27,7 +27,7 @@ EXPERIMENTS = pathlib.Path(__file__).resolve().parents[1] / "experiments"
 
 
 class Files:
-    """Experiment files, mutated along their grammar."""
+    """Experiment files, mutated according to their grammar."""
 
     def __init__(self):
         schema = subprocess.run(["swarmanoid", "schema", "--suite"], check=True, capture_output=True, text=True).stdout
@@ -63,7 +63,7 @@ SUBJECTS = {"files": Files, "images": Images, "controllers": misbehaviour.Contro
 
 
 def run_case(subject, seed, number, folder):
-    """@return what was wrong, or nothing"""
+    """@return exit code, and the problem or nothing"""
     place = folder / f"case_{number}"
     place.mkdir()
     done, ending, trouble = subject.run(random.Random(f"{seed}/{number}"), place, number)
@@ -75,7 +75,7 @@ def run_case(subject, seed, number, folder):
 
 
 def fuzz(subject, cases, seed, folder):
-    """@return exit codes and how often, and what was wrong"""
+    """@return counts of exit codes, and problems"""
     codes, troubles = {}, []
     with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
         for count, (code, trouble) in enumerate(pool.map(lambda n: run_case(subject, seed, n, folder), cases), 1):
@@ -102,7 +102,7 @@ def main():
     count = arguments.cases or getattr(subject, "count", 300)
     numbers = range(arguments.first, arguments.first + count)
     kept = ["until it is known that nothing went wrong"]
-    # last of all, for others remove then what they have put there
+    # to run after the handlers of others, which remove their own files in it
     atexit.register(lambda: kept or shutil.rmtree(folder, ignore_errors=True))
     codes, troubles = fuzz(subject, numbers, arguments.seed, folder)
     kept = troubles

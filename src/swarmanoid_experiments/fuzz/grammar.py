@@ -1,4 +1,4 @@
-"""What the schema of experiment files says: which elements and attributes there are, and what values they take."""
+"""The schema of experiment files: its elements and attributes, and their values."""
 
 import xml.etree.ElementTree as ElementTree
 
@@ -13,7 +13,7 @@ class Kind:
 
 
 class Element:
-    """One element of the grammar. Elements of one name in different places are different."""
+    """One element of the grammar. Elements with the same name in different places are separate."""
 
     def __init__(self, name, kind):
         self.name, self.kind, self.children, self.attributes = name, kind, [], {}
@@ -47,7 +47,7 @@ def _read(node):
 
 
 def read_grammar(schema):
-    """@param schema text of an XSD @return its elements, those that stand in others too"""
+    """@param schema text of an XSD @return all its elements, including nested ones"""
     root = ElementTree.fromstring(schema)
     elements = [_read(node) for node in root.findall(XS + "element")]
     result = []

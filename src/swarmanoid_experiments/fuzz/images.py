@@ -1,4 +1,4 @@
-"""Makes images for heightfields that are good, nearly good, or none at all."""
+"""Makes valid, nearly valid and invalid images for heightfields."""
 
 import struct
 import zlib
@@ -23,7 +23,7 @@ def _chunk(kind, data, checksum=None):
 
 
 def _header(random, is_sound):
-    """@return its bytes, how long a line is [bytes], how many lines there are"""
+    """@return its bytes, length of a line [bytes], number of lines"""
     depth = random.choice([8, 16] if is_sound else [1, 2, 4, 8, 16, 3, 0])
     color = 0 if is_sound else random.choice([0, 2, 3, 4, 6, 5])
     width, height = (random.choice([2, 3, 7, 64] if is_sound else [0, 1, 2, 64, 4097, 2**31 - 1]) for _ in range(2))
@@ -34,7 +34,7 @@ def _header(random, is_sound):
 
 
 def _picture(random):
-    """A PNG with a header that says what it likes, and lines that may or may not fit it."""
+    """Returns a PNG with an arbitrary header, and lines that may or may not match it."""
     is_sound = random.random() < 0.6
     header, line, lines = _header(random, is_sound)
     lines += 0 if is_sound else random.choice([0, 0, -1, 1])
@@ -53,7 +53,7 @@ def _picture(random):
 
 
 def make(random, good):
-    """@param good the bytes of a good image @return what was done, and the bytes of an image"""
+    """@param good bytes of a valid image @return description of the change, and bytes of an image"""
     if random.random() < 0.5:
         return "made up", _picture(random)
     data = bytearray(good)

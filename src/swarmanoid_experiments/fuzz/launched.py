@@ -1,7 +1,7 @@
 """The controllers of misbehaviour.py under roslaunch, which `swarmanoid launch` starts.
 
-roslaunch has the experiment file checked in a process of its own before it starts anything, and most actions are done there
-already. So there are two cases of them: one as it is, and one with a check that finds everything good, for the space."""
+roslaunch has the experiment file checked in a separate process before it starts any node, and most actions happen there
+already. Each therefore has two cases: one unchanged, and one whose check accepts everything, for the space."""
 
 import os
 import pathlib
@@ -20,34 +20,34 @@ sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for fo
 from misbehaving_world import world  # noqa: E402  pylint: disable=wrong-import-position
 from roslaunch_process import free_port  # noqa: E402  pylint: disable=wrong-import-position
 
-STARTS_AND_ENDS = 10.0  # [s] that roslaunch, its master and its nodes have for that, beside what the run may take
+STARTS_AND_ENDS = 10.0  # [s] for roslaunch, its master and its nodes, in addition to the limit of the run
 LONGEST = program.LONGEST + STARTS_AND_ENDS
 PATIENCE = program.PATIENCE + STARTS_AND_ENDS / 2
 TICKS = 20
 REASON = re.compile(r"swarmanoid: (?!the run has ended without a result).{8,}|\[(ERROR|FATAL)\] .{8,}")
-REFUSED = re.compile(r"RLException: .*returned with code \[-?\d+\]")  # what roslaunch says of the check
+REFUSED = re.compile(r"RLException: .*returned with code \[-?\d+\]")  # message of roslaunch about the check
 INTERRUPTED = re.compile(r"process has died \[pid \d+, exit code 130,")
 NONE = re.compile("")
 RESULT = re.compile(r"(finished|stopped) after (\d+) ticks")
-CULPRIT = {"load": "misbehaving_controllers", "factory": "'mc'", "unload": ""}  # of others: their robot
+CULPRIT = {"load": "misbehaving_controllers", "factory": "'mc'", "unload": ""}  # of other phases: their robot
 ALL_GOOD = '#!/bin/sh\nprintf %s "$PWD/case.xml"\n'
 
 
 def processes_of(place):
-    """Those whose environment names this folder as that of ROS: nodes are in sessions of their own. @return their ids"""
+    """Finds processes by the ROS folder in their environment: nodes are in their own sessions. @return their ids"""
     found = []
     for entry in pathlib.Path("/proc").glob("[0-9]*/environ"):
         try:
             if f"ROS_HOME={place}".encode() in entry.read_bytes().split(b"\0"):
                 found.append(int(entry.parent.name))
         except OSError:
-            pass  # it has ended meanwhile
+            pass  # it has ended in the meantime
     return found
 
 
 def trouble_of_leftovers(place):
-    """Ends whatever has outlived `swarmanoid launch`."""
-    time.sleep(0.2)  # what is killed with its parent
+    """Kills all processes that have outlived `swarmanoid launch`."""
+    time.sleep(0.2)  # for processes that are killed with their parent
     left = {number: pathlib.Path(f"/proc/{number}/cmdline").read_text().replace("\0", " ") for number in processes_of(place)}
     for number in left:
         os.kill(number, signal.SIGKILL)
@@ -55,7 +55,7 @@ def trouble_of_leftovers(place):
 
 
 def trouble_of_bag(bag, ticks):
-    """@param ticks that it has to have, after the state at the start"""
+    """@param ticks required in the bag, after the state at the start"""
     try:
         with rosbag.Bag(str(bag)) as opened:
             states = [message.tick for _, message, _ in opened.read_messages(topics=["/space/world_state"])]
@@ -65,7 +65,7 @@ def trouble_of_bag(bag, ticks):
 
 
 class LaunchedControllers:
-    """Each case is a phase, an action and where it is done. They are in no order, so that a few of them are of all kinds."""
+    """Each case is a phase, an action and a place. They are shuffled, so that a few cases include all kinds."""
 
     def __init__(self):
         self._cases = [(phase, action, where) for action in actions() for phase in PHASES for where in ("space", "check")
@@ -75,7 +75,7 @@ class LaunchedControllers:
 
     @staticmethod
     def _environment(phase, action, where, folder):
-        """Of roslaunch. Makes what it speaks of."""
+        """Returns the environment of roslaunch. Creates the folders in it."""
         environment = {"ROS_HOME": str(folder / "ros"), "ROS_LOG_DIR": str(folder / "ros/log"), "ROS_HOSTNAME": "localhost",
                        "PWD": str(folder), "TMPDIR": str(folder / "temporary")}
         (folder / "temporary").mkdir()
@@ -106,7 +106,8 @@ class LaunchedControllers:
         is_own = phase == "unload" or action in SIGNALS_OF_ITS_OWN
         if is_own and ending.code == program.BAD_INPUT:
             return ending.trouble_of_process(said, REFUSED, LONGEST)
-        if is_own and ending.code == program.STOPPED:  # the third signal ends a process at once, and four robots raise one each
+        if is_own and ending.code == program.STOPPED:  # the third signal ends a process at once, and each of the four
+                                                       # robots raises one
             return ending.trouble_of_process(said, INTERRUPTED, LONGEST)
         trouble = ending.trouble_of_process(said, REASON, LONGEST)
         if trouble:
@@ -117,7 +118,7 @@ class LaunchedControllers:
         if is_named and CULPRIT.get(phase, "fb_4") not in said:
             return "it is not said who it was"
         result = RESULT.search(said)
-        if not result and action != "close_output":  # which takes it along
+        if not result and action != "close_output":  # which loses the result
             is_run = where == "space" and phase not in ("load", "factory", "init") and ending.code != program.INTERRUPTED
             return "no result" if is_run else ""
         return trouble_of_bag(folder / "run.bag", int(result[2]) if result else TICKS)

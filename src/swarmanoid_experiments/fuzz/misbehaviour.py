@@ -1,4 +1,4 @@
-"""Controllers that misbehave, each in its way in each phase of its life (../test/misbehaving)."""
+"""Controllers that misbehave, with each action in each phase of their lives (../test/misbehaving)."""
 
 import json
 import pathlib
@@ -12,15 +12,15 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "test"))
 from misbehaving_world import ROBOTS, world  # noqa: E402  pylint: disable=wrong-import-position
 
 PHASES = ("load", "factory", "init", "step", "destroy", "destructor", "unload")
-FROM_ENVIRONMENT = ("load", "factory", "unload")  # before there are parameters, or after them
+FROM_ENVIRONMENT = ("load", "factory", "unload")  # before or after the parameters exist
 WATCHDOG = 3.0  # [s]
-# What nobody can catch, or what is done beside the call: the process may end as it was made to.
+# Uncatchable, or outside the call: the process may end in the way of the action.
 BEYOND_REACH = {"raise_kill", "segv_on_another_thread", "throw_on_another_thread", "underscore_exit_0", "spoil_heap"}
 SIGNALS_OF_ITS_OWN = {"raise_int": signal.SIGINT, "raise_term": signal.SIGTERM, "raise_pipe": signal.SIGPIPE}
 
 
 def actions():
-    """As the table of actions.cpp has them."""
+    """Returns the names in the table of actions.cpp."""
     text = (pathlib.Path(__file__).resolve().parents[1] / "test/misbehaving/actions.cpp").read_text()
     return re.findall(r'^ *\{"(\w+)",', text, re.MULTILINE)
 
@@ -44,7 +44,7 @@ class Controllers:
 
     @staticmethod
     def _lost(summary, table):
-        """The ticks of the summary have to be in the table: a line for each robot, before the first one and after each."""
+        """Checks that the table has the ticks of the summary: a line for each robot, before the first tick and after each."""
         if not summary.strip():
             return ""
         ticks = json.loads(summary)["ticks"]
@@ -58,7 +58,7 @@ class Controllers:
         if not trouble or action in BEYOND_REACH:
             return "" if ending.seconds <= program.LONGEST else trouble
         if phase == "unload" and ending.output.strip() and ending.seconds <= program.LONGEST:
-            return ""  # all is done and said; what a library does when the process ends is its own
+            return ""  # all results are written; the library's behaviour at the end of the process does not matter
         if action in SIGNALS_OF_ITS_OWN and ending.code == -SIGNALS_OF_ITS_OWN[action]:
             return ""
         return trouble

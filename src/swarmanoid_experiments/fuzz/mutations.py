@@ -1,4 +1,4 @@
-"""Makes experiment files that differ from good ones in something: a value, the structure, the text, or bytes."""
+"""Makes experiment files that differ from valid ones in some way: a value, the structure, the text, or bytes."""
 
 import copy
 import threading
@@ -8,7 +8,7 @@ import values
 
 
 class Mutator:
-    """Mutates the files of `sources`; what it knows of elements comes from the grammar."""
+    """Mutates the files of `sources`; the grammar describes their elements."""
 
     def __init__(self, grammar, sources, random):
         self._elements, self._sources, self._random = grammar, sources, random
@@ -17,7 +17,7 @@ class Mutator:
             self._by_name.setdefault(element.name, []).append(element)
 
     def make(self):
-        """@return what was done, and the bytes of a file"""
+        """@return description of the change, and bytes of a file"""
         source = self._random.choice(sorted(self._sources))
         text = self._sources[source]
         ways = [self._change_tree] * 8 + [self._change_text, self._change_bytes]
@@ -147,8 +147,9 @@ class Mutator:
         return way, bytes(data)
 
 
-# Values stand in the tree under a word, and are put in as they are at the end: the tree would make them well formed.
-class _Words(threading.local):  # cases are made in several threads
+# The tree contains placeholders, which are replaced by the raw values at the end: the tree would make these
+# well-formed.
+class _Words(threading.local):  # several threads make cases
     def __init__(self):
         self.known = {}
 

@@ -1,4 +1,4 @@
-"""Runs the program `swarmanoid` once, within limits, and says what was wrong with how it ended."""
+"""Runs the program `swarmanoid` once, within limits, and reports the problem with its end, if any."""
 
 import json
 import os
@@ -12,27 +12,27 @@ import time
 import sandbox
 
 LONGEST = 20.0  # [s]
-PATIENCE = 10.0  # [s] after which a run is interrupted: what is slow, but not stuck, ends then
+PATIENCE = 10.0  # [s] after which a run is interrupted: slow runs that are not stuck end then
 MOST_MEMORY = 2 * 2**30  # [bytes]
 FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
 ALLOWED = (FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED)
-# bounded, for controllers write lines of a million letters
+# bounded, because controllers write lines of a million letters
 REASON = re.compile(r"swarmanoid: .{8,}|^[^:\n]{1,300}: controller failed( in tick \d+.*)?: .+", re.MULTILINE)
 SANITIZER = re.compile(r"ERROR: AddressSanitizer|runtime error:|WARNING: ThreadSanitizer")
 
 
 class Ending:
-    """How a process ended."""
+    """The end of a process."""
 
     def __init__(self, code, seconds, memory, output, errors):
         self.code, self.seconds, self.memory, self.output, self.errors = code, seconds, memory, output, errors
 
     def trouble(self):
-        """What nobody should see of a run, or nothing."""
+        """Returns a problem that no run may have, or nothing."""
         return self.trouble_of_process(self.errors) or (self._trouble_of_summary() if self.code == FINISHED else "")
 
     def trouble_of_process(self, said, reason=REASON, longest=LONGEST):
-        """Likewise, of any command. @param said: where its reasons are"""
+        """The same for any command. @param said: text with its reasons"""
         if self.code < 0:
             return f"signal {-self.code}, after {self.seconds:.0f} s"
         if self.code not in ALLOWED:

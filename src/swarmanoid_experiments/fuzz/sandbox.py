@@ -1,8 +1,8 @@
-"""Where fuzzed programs run: nothing but one folder can be written to.
+"""Sandbox for fuzzed programs: only one folder is writable.
 
-As root the process moves into a mount namespace of its own, in which every file system is read-only; only the folder, the
-temporary one of its children and /dev/shm lie in memory. Where that cannot be had root is refused. Other users are kept
-by their rights from what is not theirs."""
+For root, the process enters its own mount namespace with all file systems read-only; only the folder, the temporary folder
+of its children and /dev/shm are in memory. If that is impossible, root is rejected. Other users are restricted by their file
+permissions."""
 
 import ctypes
 import os
@@ -15,11 +15,11 @@ import tempfile
 
 MARK = "SWARMANOID_FUZZ_SANDBOX"
 CLONE_NEWNS = 0x00020000
-MEMORY = 3 * 2**30  # [bytes] that one process may ask for; the machine is to survive
+MEMORY = 3 * 2**30  # [bytes] limit of one process; protects the machine
 
 
 def _mounts():
-    """Deepest first."""
+    """Returns the mount points, deepest first."""
     lines = pathlib.Path("/proc/self/mountinfo").read_text().splitlines()
     places = [line.split()[4].encode().decode("unicode_escape") for line in lines]
     return sorted(set(places), key=lambda place: place.count("/"), reverse=True)
@@ -30,7 +30,7 @@ def _run(*command):
 
 
 def confine(folder):
-    """From here on this process and its children write below `folder` only. @raise SystemExit where that is not so"""
+    """Makes only `folder` writable for this process and its children. @raise SystemExit if that fails"""
     folder = pathlib.Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     tempfile.tempdir = str(folder)
@@ -65,7 +65,7 @@ def _can_write(folder):
 
 
 def prepare():
-    """Called in the child, before the program starts: limits its memory, and has it hear of Ctrl-C whoever starts it."""
+    """Called in the child, before the program starts: limits its memory, and enables Ctrl-C independently of the parent."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

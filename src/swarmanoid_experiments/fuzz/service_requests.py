@@ -1,4 +1,4 @@
-"""Makes requests for the services of a space: sensible ones, nearly sensible ones, and others."""
+"""Makes valid, nearly valid and arbitrary requests for the services of a space."""
 
 from geometry_msgs.msg import Point, PoseStamped
 from std_msgs.msg import ColorRGBA
@@ -17,14 +17,14 @@ SOURCES = ["controller", "remote", "topics", "none", "nobody", ""]
 
 
 class Requests:
-    """Keeps the names that it has spawned, so that later requests can speak of them."""
+    """Keeps the names of spawned entities, so that later requests can use them."""
 
     def __init__(self, random, engines, entities, controllers):
         self._random, self._engines, self._controllers = random, engines, controllers
         self._entities, self._count = list(entities), 0
 
     def make(self):
-        """@return name of a service, its kind, its request"""
+        """@return name of a service, its type, its request"""
         ways = [self._spawn] * 6 + [self._move] * 6 + [self._delete, self._handover, self._handover, self._source, self._source,
                                                        self._property, self._paint, self._fault, self._reset, self._step, self._trigger,
                                                        self._register, self._inspect, self._real_time_factor]

@@ -1,4 +1,4 @@
-"""Values that an experiment file may hold, and values that it may not."""
+"""Valid and invalid values for experiment files."""
 
 NUMBERS = ["0", "-0", "1", "-1", "1e40", "-1e40", "1e308", "1e309", "1e-40", "1e-9", "5e-324", "nan", "-nan", "inf", "-inf",
            "infinity", "1e9", "1e12", "9007199254740993", "2147483648", "4294967296", "18446744073709551616",
@@ -11,7 +11,7 @@ COLORS = ["red", "256,0,0", "-1,0,0", "1,2", "1,2,3,4", "0.5,0,0", "#ff0000", "R
 
 
 def good(kind, random):
-    """A value that this kind allows, most likely."""
+    """Returns a value that this kind most likely allows."""
     if kind is None:
         return ""
     if kind.words:
@@ -32,7 +32,7 @@ def good(kind, random):
 
 
 def extreme(kind, random):
-    """A value at an end of what is written in the grammar, or far out where it says nothing."""
+    """Returns a value at a bound of the grammar, or an extreme one if it has no bounds."""
     base = kind.base if kind is not None else "text"
     if base in ("number", "integer"):
         ends = [end for end in (kind.low, kind.high) if end is not None]
@@ -45,7 +45,7 @@ def extreme(kind, random):
 
 
 def bad(kind, random):
-    """A value that may be refused, or lead to trouble."""
+    """Returns a value that may be rejected, or cause trouble."""
     base = kind.base if kind is not None else "text"
     if base in ("number", "integer"):
         return random.choice(NUMBERS)
@@ -58,5 +58,5 @@ def bad(kind, random):
 
 
 def escaped(text):
-    """As it stands in XML, but not always well formed: entities and angle brackets stay."""
+    """Escapes text for XML, but keeps entities and angle brackets, so that it may be malformed."""
     return text.replace('"', "&quot;") if "&" in text or "<" in text else text

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The conformance test of the mock drivers of each robot, over topics; what the hosts saw and did is recorded, and replayed."""
+"""The conformance test of the mock drivers of each robot, over topics; the hosts' frames are recorded, and replayed."""
 
 import os
 import subprocess
@@ -41,7 +41,7 @@ PLACES = {"m_footbot": FOOTBOT_PLACE, "m_eyebot": EYEBOT_PLACE, "m_handbot": HAN
 
 class ConformanceMockTest(unittest.TestCase):
     def setUp(self):
-        # hosts wait for their drivers, so whoever records is there before the first step
+        # hosts wait for their drivers, so the recorders are connected before the first step
         self.frames = {f"/{robot}/controller/{what}": Collector(f"/{robot}/controller/{what}", kind)
                        for robot in ROBOTS for what, kind in FRAMES.items()}
         self.hosts = ConformanceHosts(ROBOTS)
@@ -66,16 +66,16 @@ class ConformanceMockTest(unittest.TestCase):
             verdict = self.hosts.verdict(robot)
             print(robot, verdict)
             self.assertEqual("passed", verdict.get("conformance"), verdict)
-            # nobody looks at a mock robot's LEDs
+            # no observer judges a mock robot's LEDs
             self.assertEqual({"m_footbot": "footbot_leds", "m_eyebot": "eyebot_leds", "m_handbot": "none"}[robot],
                              verdict["unchecked_devices"], verdict)
-        # but their driver got commands: red ahead, blue to the left, green behind
+        # but their driver received commands: red ahead, blue to the left, green behind
         shown = self.leds.wait_for(lambda message: message.colors[0].r == 1.0)
         self.assertEqual((1.0, 1.0), (shown.colors[3].b, shown.colors[6].g))
         self.replay()
 
     def replay(self):
-        """The controllers do the same once more."""
+        """Expects that the controllers repeat their commands."""
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "robots.bag")
             with rosbag.Bag(file, "w") as bag:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""A footbot that a publisher drives: its odometry, inertial sensors, ground sensors and scanner agree with the world, of which
-nothing is used but tf and the experiment file."""
+"""A footbot driven by a publisher: its odometry, inertial sensors, ground sensors and scanner agree with the world, known
+only from tf and the experiment file."""
 
 import math
 import sys
@@ -21,10 +21,11 @@ TICK = 0.1  # [s]
 SPEED = 0.1  # [m/s]
 TURN_RATE = -0.35  # [rad/s]
 TICKS = 23
-PATIENCE = 50  # ticks until a command shows
+PATIENCE = 50  # ticks until a command has an effect
 START = (1.6, 1.6)  # [m], heading 0
 PATCH = ((1.8, 1.1), (2.4, 2.1))  # [m], corners; black
-WALL = ((2.045, 1.89), math.radians(147), 0.05)  # its middle [m], heading, half its thickness [m]; the ends are far away
+WALL = ((2.045, 1.89), math.radians(147), 0.05)  # its centre [m], heading, half its thickness [m]; its ends are far
+                                                 # away
 ROUNDING = 1e-3  # [m]
 
 
@@ -48,7 +49,7 @@ def heading_of(rotation):
 
 
 def way_to_wall(place, direction):
-    """[m] along a ray; infinite if it leads away. The robot is on the left of the wall, as it heads."""
+    """[m] along a ray; infinite if it leads away from the wall. The robot is to the left of the wall's heading."""
     middle, heading, thickness = WALL
     normal = (-math.sin(heading), math.cos(heading))
     gap = sum((p - m) * n for p, m, n in zip(place, middle, normal)) - thickness
@@ -69,7 +70,7 @@ class DrivenFootbotTest(unittest.TestCase):
         cls.scanner = publisher("/fb/scanner/command", ScannerCommand)
 
     def setUp(self):
-        """Drives an arc, and stands still for long enough that all sensors read the place where it ended."""
+        """Drives an arc, then stands still until all sensors read the place where the arc ended."""
         self.space.restart()
         for collector in [*self.readings.values(), self.transforms]:
             collector.clear()
@@ -80,32 +81,32 @@ class DrivenFootbotTest(unittest.TestCase):
         self.place, self.heading = self.pose(self.space.step(4).stamp)
 
     def latest(self, topic):
-        """The reading of one more tick, which is of the state before it."""
+        """Returns the reading of one more tick, which is of the state before it."""
         stamp = self.space.step(1).stamp - rospy.Duration.from_sec(TICK)
         reading = self.readings[topic].wait_for(lambda message: message.header.stamp == stamp)
         self.assertIsNotNone(reading, f"{topic} of {stamp.to_sec()} s")
         return reading
 
     def latest_after(self, publish, topic, is_obeyed):
-        """Commands, and makes one tick after the other until a reading shows that the command has come.
+        """Commands, and steps single ticks until a reading shows the effect of the command.
         @return that reading, the number of ticks before it"""
         publish()
         for ticks in range(PATIENCE):
-            time.sleep(0.1)  # it takes effect at the tick after it has come
+            time.sleep(0.1)  # a command takes effect at the tick after its arrival
             reading = self.latest(topic)
             if is_obeyed(reading):
                 return reading, ticks
         self.fail(f"a command has had no effect on {topic} in {PATIENCE} ticks")
 
     def drive(self, speed, turn_rate):
-        """For one tick. @return the number of ticks before it, in which the wheels went on as they were"""
+        """Commands speeds for one tick. @return the number of ticks before it, with the previous speeds"""
         def is_obeyed(message):
             wheels = message.twist.twist
             return math.hypot(wheels.linear.x - speed, wheels.angular.z - turn_rate) < 1e-6
         return self.latest_after(lambda: self.velocity.publish(twist(speed, turn_rate)), "odom", is_obeyed)[1]
 
     def pose(self, stamp):
-        """By tf."""
+        """Returns place and heading from tf."""
         def of_robot(message):
             return [t for t in message.transforms if t.child_frame_id == "fb/base_link" and t.header.stamp == stamp]
         message = self.transforms.wait_for(of_robot)
@@ -122,7 +123,7 @@ class DrivenFootbotTest(unittest.TestCase):
         self.assertAlmostEqual(self.place[0] - START[0], odom.position.x, 6)
         self.assertAlmostEqual(self.place[1] - START[1], odom.position.y, 6)
         self.assertAlmostEqual(self.heading, heading_of(odom.orientation), 6)
-        angle = TURN_RATE * self.ticks * TICK  # of the arc that was commanded
+        angle = TURN_RATE * self.ticks * TICK  # of the commanded arc
         self.assertAlmostEqual(angle, self.heading, 6)
         self.assertAlmostEqual(START[0] + SPEED / TURN_RATE * math.sin(angle), self.place[0], 6)
         self.assertAlmostEqual(START[1] + SPEED / TURN_RATE * (1.0 - math.cos(angle)), self.place[1], 6)
@@ -165,13 +166,13 @@ class DrivenFootbotTest(unittest.TestCase):
         scan, _ = self.latest_after(lambda: self.scanner.publish(turn), "scan",
                                     lambda message: not all(map(math.isnan, message.ranges)))
         hits = 0
-        for _ in range(13):  # more than a turn
+        for _ in range(13):  # more than a revolution
             self.assertEqual("fb/scanner", scan.header.frame_id)
             for i, distance in enumerate(scan.ranges):
                 if math.isnan(distance):
                     continue
                 direction = self.heading + scan.angle_min + i * scan.angle_increment
-                # a sample stands at the nearest of the scan's angles
+                # a sample is stored at the nearest of the scan's angles
                 edges = [way_to_wall(self.place, direction + side * 0.5 * scan.angle_increment) for side in (-1, 1)]
                 if math.isfinite(distance):
                     hits += 1

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A controller that throws stops its robot, and nobody else; topics say who and why."""
+"""A controller that throws stops only its own robot; topics name the robot and the reason."""
 
 import sys
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A space in a process whose sine and cosine are made for this processor says so when it starts and when it ends."""
+"""A space in a process with processor-specific sine and cosine warns about it at its start and at its end."""
 
 import re
 import sys

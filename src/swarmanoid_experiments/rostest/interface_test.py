@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a launched experiment offers is what docs/reference/ros_interface.md says, and the other way round."""
+"""A launched experiment offers exactly the interface of docs/reference/ros_interface.md."""
 
 import pathlib
 import re
@@ -22,7 +22,7 @@ from space_client import Space
 REPOSITORY = pathlib.Path(rospkg.RosPack().get_path("swarmanoid_experiments")).parents[1]
 PAGE = (REPOSITORY / "docs/reference/ros_interface.md").read_text()
 ROBOTS = {"<footbot>": ("fb_1", "fb_2", "fb_3"), "<eyebot>": ("eb",)}
-# of devices that this experiment does not use: turret_test.py, climbing_test.py and tests of messages look at them
+# of devices that this experiment does not use; turret_test.py, climbing_test.py and tests of messages cover them
 ELSEWHERE = ("/turret/state", "/joint_states", "/hands/state", "/rope/state", "/magnet/state", "/turret/command",
              "/arms/command", "/hands/command", "/rope/command", "/magnet/command",
              "<eyebot>/leds/command", "/front_camera/blobs", "/omnidirectional_camera/blobs", "/pan_tilt_camera/blobs",
@@ -35,7 +35,7 @@ def section(title):
 
 
 def named_in(title):
-    """Names and types of a table whose rows begin with them, placeholders replaced by the robots there are."""
+    """Returns names and types of a table whose rows start with them, with the robots in place of placeholders."""
     found = {}
     for name, kind in re.findall(r"^\| `(/\S+)` \| `(\S+)` \|", section(title), re.M):
         if name.endswith(ELSEWHERE):
@@ -53,7 +53,7 @@ class InterfaceTest(unittest.TestCase):
     maxDiff = None
 
     def setUp(self):
-        Space()  # all is there once the services are
+        Space()  # everything is available once the services are
         publishers, subscribers, services = rosgraph.Master("/interface_test").getSystemState()
         self.publishers = {topic: nodes for topic, nodes in publishers if not topic.startswith("/rosout")}
         self.commands = [topic for topic, nodes in subscribers

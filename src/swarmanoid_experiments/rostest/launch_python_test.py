@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""An experiment whose controllers and rules are in Python, under ROS."""
+"""An experiment with controllers and rules in Python, under ROS."""
 
 import pathlib
 import subprocess
@@ -37,7 +37,7 @@ class LaunchPythonTest(RoslaunchTest):
     launch_file = LAUNCH_FOLDER / "run.launch"
 
     def run_under_ros(self, controller):
-        """Thirty ticks of diffusion with this one. @return the exit code, and what roslaunch says"""
+        """Runs thirty ticks of diffusion with this controller. @return exit code and output of roslaunch"""
         text = DIFFUSION.read_text()
         self.assertEqual(text.count("</diffusion>"), 1)
         text = text.replace('<diffusion id="dc" library="diffusion">', f'<{controller} id="dc" source="python" file="swarm.py">')

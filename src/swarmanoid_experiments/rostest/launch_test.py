@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What roslaunch itself does: bad arguments are refused before anything starts, ends are reported as what they are, files
-land where they are looked for, and Ctrl-C leaves a complete bag; and what `swarmanoid launch` returns."""
+"""Behaviour of roslaunch: bad arguments are rejected before any node starts, results are reported, files are written to
+the right folders, and Ctrl-C leaves a complete bag; and exit codes of `swarmanoid launch`."""
 
 import os
 import pathlib
@@ -23,7 +23,7 @@ ALARM = "REQUIRED process"
 
 
 def address_for_others():
-    """One of this machine's, by which others may reach it; the test is skipped if there is none."""
+    """Returns an address of this machine that others can reach; the test is skipped if there is none."""
     addresses = subprocess.check_output(["hostname", "-I"], universal_newlines=True).split()
     addresses = [address for address in addresses if "." in address]
     if not addresses:
@@ -38,7 +38,7 @@ class LaunchTest(RoslaunchTest):
         return super().launch("rviz:=false", *arguments, **more)
 
     def code_of(self, *arguments):
-        """What `swarmanoid launch` returns."""
+        """Returns exit code and output of `swarmanoid launch`."""
         return self.end_of(self.start("swarmanoid", "launch", *arguments))
 
     def test_a_bad_experiment_is_refused_before_anything_starts(self):
@@ -255,7 +255,7 @@ class LaunchTest(RoslaunchTest):
             self.assertNotIn("process[", output, "something was started")
 
     def start_recording(self, *arguments):
-        """@return the process, once it has recorded something; bag; hashes"""
+        """@return the process, after it has recorded some data; bag; hashes"""
         bag = pathlib.Path(self.folder.name, "run.bag")
         hashes = pathlib.Path(self.folder.name, "hashes.txt")
         process = self.launch(f"record:={bag}", f"hashes:={hashes}", "real_time_factor:=5", *arguments)
@@ -281,7 +281,7 @@ class LaunchTest(RoslaunchTest):
             bag.unlink()
 
     def manager_of(self, roslaunch):
-        """The process of the nodelet manager that this roslaunch has started."""
+        """Returns the process of the nodelet manager that this roslaunch started."""
         for folder in pathlib.Path("/proc").glob("[0-9]*"):
             try:
                 parent = int((folder / "stat").read_text().rpartition(")")[2].split()[1])
@@ -295,7 +295,7 @@ class LaunchTest(RoslaunchTest):
     def assert_complete(self, bag, hashes, output):
         last = int(hashes.read_text().splitlines()[-1].split()[0])
         self.assertGreater(last, 0, output)
-        with rosbag.Bag(str(bag)) as reader:  # throws if it were not indexed
+        with rosbag.Bag(str(bag)) as reader:  # throws if the bag is not indexed
             states = [(m.tick, m.header.stamp) for _, m, _ in reader.read_messages("/space/world_state")]
             moving = [m.transforms[0].header.stamp for _, m, _ in reader.read_messages("/tf")]
         self.assertEqual(list(range(last + 1)), [tick for tick, _ in states])

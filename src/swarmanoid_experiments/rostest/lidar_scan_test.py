@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The lidar of a robot that is not the suite's own, the TurtleBot3 of the templates, as its subscribers see it."""
+"""The lidar of a robot from outside the suite, the TurtleBot3 of the templates, as subscribers receive it."""
 
 import math
 import os
@@ -17,7 +17,7 @@ from space_client import Collector, Space
 EXAMPLE = LAUNCH_FOLDER.parent / "examples/example_turtlebot3"
 X, Y, HEADING = 1.3, 2.1, 0.37   # of the robot [m, m, rad]
 MOUNT = -0.032                   # of the lidar, along the robot's axis [m]
-WALL = 3.4                       # where the face of the only wall is, along y [m]
+WALL = 3.4                       # y coordinate of the face of the only wall [m]
 REACH = 3.5                      # [m]
 WORLD = f"""<ahss-config>
   <framework><clocktick>100</clocktick><maxclock>100</maxclock></framework>
@@ -40,7 +40,7 @@ WORLD = f"""<ahss-config>
 
 
 def free_way(bearing):
-    """From the lidar to the wall, in this direction of the world [m]."""
+    """Returns the distance from the lidar to the wall, in this direction of the world [m]."""
     if math.cos(bearing) <= 0:
         return math.inf
     way = (WALL - X - MOUNT * math.cos(HEADING)) / math.cos(bearing)
@@ -70,7 +70,7 @@ class LidarScanTest(RoslaunchTest):
         space = Space()
         scans.wait_for_publisher()
         space.step(6)
-        # five scans in a second of ten ticks
+        # five scans per second, with ten ticks per second
         self.assertIsNotNone(scans.wait_for(lambda scan: scan.header.stamp.to_nsec() == 1_400_000_000))
         self.assertEqual([scan.header.stamp.to_nsec() // 1_000_000 for scan in scans.messages()], [1000, 1200, 1400])
         for scan in scans.messages():

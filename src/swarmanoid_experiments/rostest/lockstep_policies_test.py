@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A process that commands a robot dies and is started again, under each policy; the space names it."""
+"""A process that commands a robot is killed and restarted, under each policy; the space names it."""
 
 import sys
 import threading
@@ -13,7 +13,7 @@ from swarmanoid_msgs.msg import Event, RunResult
 from participants import LockstepStatus, Participant, set_source
 from space_client import Collector, Space
 
-PATIENCE = 1.0  # [s] of wall time for each answer of the process but its first
+PATIENCE = 1.0  # [s] of wall time for each answer of the process except its first one
 
 
 class LockstepPoliciesTest(unittest.TestCase):
@@ -36,7 +36,7 @@ class LockstepPoliciesTest(unittest.TestCase):
         return self.participants[-1]
 
     def kill_in_a_run(self, policy):
-        """@return the process, dead, after some ticks"""
+        """@return the process, killed after some ticks"""
         self.assertTrue(set_source(["fb_1"], "remote").success)
         participant = self.start(policy=policy)
         self.assertTrue(self.space.step(20).success)
@@ -44,7 +44,7 @@ class LockstepPoliciesTest(unittest.TestCase):
         participant.kill()
 
     def step_in_time(self):
-        """@return the answer to 20 ticks, of which one waits for the process, as long as it may"""
+        """@return the answer to 20 ticks, one of which waits for the process for the maximum time"""
         start = time.monotonic()
         answer = self.space.step(20)
         self.assertLess(time.monotonic() - start, PATIENCE + 1.0)
@@ -73,7 +73,7 @@ class LockstepPoliciesTest(unittest.TestCase):
         self.assertTrue(self.step_in_time().success)
         self.assert_event(Event.PARTICIPANT_LATE, f"no answer in tick 20 ({PATIENCE:g} s); policy skip")
         self.assertTrue(LockstepStatus().wait_for("missing: 'fb_1_controller'"))
-        self.start(policy="wait")  # the next test's first tick is to wait for its own process
+        self.start(policy="wait")  # so that the next test's first tick waits for its own process
         self.assertTrue(LockstepStatus().wait_for("1 participants"))
         self.assertTrue(self.space.step(20).success)
         self.assert_event(Event.PARTICIPANT_JOINED, "again, for fb_1")

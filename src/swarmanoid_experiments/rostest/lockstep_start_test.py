@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""A space whose robot is commanded from elsewhere waits in its first tick: whoever is to command it can register, however
-the run was started, and all services of the space answer meanwhile.
+"""A space with a remotely commanded robot waits in its first tick: a participant for the robot can register, however the
+run was started, and all services of the space answer in the meantime.
 
-LOCKSTEP_STARTS=20 starts each installed experiment as often, in turn at all paces; without it some of them once."""
+LOCKSTEP_STARTS=20 starts each installed experiment that many times, in turn at all paces; by default some of them start once."""
 
 import contextlib
 import os
@@ -34,7 +34,7 @@ REMOTE = {"aggregation": ("fb_1", "aggregation"), "battery_foraging": ("fb_1", "
           "predators": ("fb_1", "predators"),
           "rough_terrain": ("summit_1", "diffusion"), "shelf_retrieval": ("hb_1", "climbing"),
           "trail": ("fb_1", "trail_following"), "two_spot_foraging": ("fb_1", "behaviour_machine")}
-# all robots of a distribution have one source
+# all robots of a distribution have the same source
 DISTRIBUTED = ("aggregation", "battery_foraging", "chain_formation", "diffusion", "emergent_taxis",
                "eyebot_flocking", "flocking", "neural_aggregation", "neural_phototaxis", "predators", "two_spot_foraging")
 QUICK = [("object_retrieval", 0, "false"), ("shelf_retrieval", 1, "false"), ("diffusion", 10, "true")]
@@ -62,7 +62,7 @@ class LockstepStartTest(RoslaunchTest):
             self.end_of(process)
 
     def call(self, name, kind, **request):
-        """Of a service that is offered in time, and answers in time."""
+        """Calls a service that must be offered in time, and must answer in time."""
         until = time.monotonic() + PATIENCE
         master = rosgraph.Master("/lockstep_start_test")
         while not rosgraph.is_master_online() or name not in [service for service, _ in master.getSystemState()[2]]:
@@ -76,7 +76,7 @@ class LockstepStartTest(RoslaunchTest):
         return answers[0]
 
     def ticks(self):
-        """How many were made; it is paused afterwards."""
+        """Pauses the space. @return number of finished ticks"""
         self.assertTrue(self.call("/space/pause", Trigger).success)
         return self.call("/space/step", Step, ticks=1).tick
 

@@ -15,7 +15,7 @@ from swarmanoid_msgs.srv import Register, RegisterRequest
 from participants import CONTROLLERS, Participant, set_source
 from space_client import TIMEOUT, Space, run_without_ros
 
-HASHES = os.path.join(rospkg.get_ros_home(), "lockstep_test.txt")  # as space.launch says
+HASHES = os.path.join(rospkg.get_ros_home(), "lockstep_test.txt")  # as in space.launch
 
 
 class LockstepTest(unittest.TestCase):
@@ -40,7 +40,7 @@ class LockstepTest(unittest.TestCase):
         print(f"{len(robots)} processes: {ticks / (time.monotonic() - start):.0f} ticks/s")
 
     def finish(self):
-        """@return ticks to the end; the run is that of the program, tick by tick"""
+        """@return ticks to the end; compares the run with that of the program, tick by tick"""
         before = self.space.step(1).tick
         ended = self.space.step(10**6)
         self.assertEqual("the run finished before all of them were made", ended.message)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The manager that run.launch starts calculates with the library that the program does, on any processor and in any shell:
-climbing ends elsewhere with the other one. A bag names it."""
+"""The manager that run.launch starts uses the same math library as the program, on any processor and in any shell: with
+another library climbing would end differently. A bag contains its name."""
 
 import os
 import sys
@@ -13,7 +13,7 @@ import rostest
 
 from space_client import Space, run_without_ros
 
-FOLDER = rospkg.get_ros_home()  # as space.launch says
+FOLDER = rospkg.get_ros_home()  # as in space.launch
 
 
 class MathLibraryTest(unittest.TestCase):

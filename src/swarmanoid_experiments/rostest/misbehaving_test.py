@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Users' code that misbehaves under roslaunch: who it was is named, what can be kept is kept, services answer."""
+"""Misbehaving users' code under roslaunch: it is named, data are saved as far as possible, services answer."""
 
 import os
 import pathlib
@@ -32,7 +32,7 @@ class MisbehavingTest(RoslaunchTest):
         return process
 
     def begin(self, phase, action, *arguments, who=None, by=("swarmanoid", "launch"), **more):
-        """roslaunch of the world, which records a bag. @param who: a plugin that is no controller. @param by: who starts it"""
+        """roslaunch of the world, which records a bag. @param who: plugin other than a controller. @param by: command that starts it"""
         more["maxclock"] = 10**6
         return self.begin_with(world(phase, action, **more) if who is None else world_with(who, phase, action, **more),
                                *arguments, by=by)
@@ -45,7 +45,7 @@ class MisbehavingTest(RoslaunchTest):
         return self.start(*by, f"{name}{experiment}", "rviz:=false", "record:=run.bag", "force:=true", *arguments)
 
     def call(self, service, request="{}"):
-        """Calls a service when it is there. @return its answer as text"""
+        """Calls a service as soon as it is offered. @return its answer as text"""
         environment = dict(os.environ, ROS_MASTER_URI=f"http://localhost:{self.port}", ROS_HOSTNAME="localhost")
         deadline = time.monotonic() + LIMIT
         while True:
@@ -57,7 +57,7 @@ class MisbehavingTest(RoslaunchTest):
             time.sleep(0.2)
 
     def wait_until_busy(self):
-        """Asks for a step, which a run that is not paused refuses, until the answer is that it is busy."""
+        """Requests steps, which a running space rejects, until the answer reports that it is busy."""
         deadline = time.monotonic() + LIMIT
         answer = self.call("step", "ticks: 1")
         while "busy in" not in answer:
@@ -91,7 +91,7 @@ class MisbehavingTest(RoslaunchTest):
                 self.assertIn(f"swarmanoid: {reason}\n", output)
                 self.assertRegex(output, f"stopped after 3 ticks in .* s \\({re.escape(reason)}\\)")
                 self.assertNotIn("the controller of", output)
-                # what records comes after the experiment's visualisations
+                # the recorder follows the experiment's visualisations
                 self.assert_bag(2 if who == VISUALISATION else 3)
 
     def test_services_answer_while_an_engine_is_late(self):
@@ -111,7 +111,7 @@ class MisbehavingTest(RoslaunchTest):
         for service, request in (("reset", "{}"), ("delete", "names: [fb_1]"), ("step", "ticks: 1"),
                                  ("set_command_source", "{names: [fb_1], source: none}")):
             self.assertIn("busy in step of robot 'fb_4'", self.call(service, request))
-        process.send_signal(signal.SIGINT)  # roslaunch interrupts, then it terminates
+        process.send_signal(signal.SIGINT)  # roslaunch sends an interrupt, then terminates
         code, output = self.end_of(process)
         self.assertEqual(130, code, output)
         self.assertIn(f"late: step of {NAME}, tick 3 has taken 5 s so far", output)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The floor of the trail experiment is painted by the service: interventions, events, and markers of that colour."""
+"""The paint service on the floor of the trail experiment: interventions, events, and markers of that colour."""
 
 import sys
 import unittest
@@ -14,7 +14,7 @@ from space_client import Collector, Space
 
 
 def blue_cells(array):
-    """Where they are drawn."""
+    """Returns the positions of blue cells in the markers."""
     return [(round(point.x, 6), round(point.y, 6)) for marker in array.markers if marker.ns == "paint"
             for point, color in zip(marker.points, marker.colors) if color.b == 1.0]
 

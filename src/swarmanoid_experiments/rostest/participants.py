@@ -1,4 +1,4 @@
-"""Controllers in processes of their own, started and ended as a test likes."""
+"""Controllers in their own processes, started and ended by tests."""
 
 import os
 import signal
@@ -15,7 +15,7 @@ CONTROLLERS = {"fb_1": "footbot_retrieval", "fb_2": "footbot_retrieval", "fb_3":
 
 
 class Participant:
-    """What launch/robot.launch starts: a nodelet, standalone."""
+    """The content of launch/robot.launch: a standalone nodelet."""
 
     def __init__(self, robot, controller=None, **parameters):
         self.name = robot + "_controller"
@@ -26,7 +26,7 @@ class Participant:
                                           "__name:=" + self.name] + arguments, start_new_session=True)
 
     def kill(self):
-        """As kill -9 does it."""
+        """Like kill -9."""
         self._end(signal.SIGKILL)
 
     def end(self):
@@ -34,7 +34,7 @@ class Participant:
             self._end(signal.SIGINT)
 
     def wait(self):
-        """@return its exit code"""
+        """@return exit code"""
         return self._process.wait(TIMEOUT)
 
     def _end(self, how):
@@ -54,7 +54,7 @@ class LockstepStatus:
         self._diagnostics = Collector("/diagnostics", DiagnosticArray)
 
     def wait_for(self, text):
-        """@return whether a status says so from now on"""
+        """@return whether a status contains the text from now on"""
         self._diagnostics.clear()
         return self._diagnostics.wait_for(lambda array: any(
             text in status.message for status in array.status if status.name.endswith("lockstep"))) is not None

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""launch/play_bag.launch: a bag that cannot be read is refused before anything starts; a good one is played to its end."""
+"""launch/play_bag.launch: an unreadable bag is rejected before any node starts; a valid one is played to its end."""
 
 import pathlib
 import signal

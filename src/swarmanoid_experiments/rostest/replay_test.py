@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Controllers in other processes, in lockstep over topics, recorded by the space: replayed they do the same, and the tables
-tell of them."""
+"""Controllers in other processes, in lockstep over topics, recorded by the space: a replay repeats their commands, and the
+tables contain them."""
 
 import csv
 import os
@@ -16,7 +16,7 @@ import rostest
 from participants import CONTROLLERS, Participant, set_source
 from space_client import Space
 
-BAG = os.path.join(rospkg.get_ros_home(), "replay_test.bag")  # as space.launch says
+BAG = os.path.join(rospkg.get_ros_home(), "replay_test.bag")  # as in space.launch
 
 
 class ReplayTest(unittest.TestCase):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The launched experiment ends with the prey in the nest, exactly as without ROS, and the bag holds every tick."""
+"""The launched experiment ends with the prey in the nest, exactly as without ROS, and the bag contains every tick."""
 
 import json
 import os
@@ -15,7 +15,7 @@ from swarmanoid_msgs.msg import RunResult
 
 from space_client import Collector, Space, run_without_ros
 
-BAG = os.path.join(rospkg.get_ros_home(), "retrieval_test.bag")  # as space.launch says
+BAG = os.path.join(rospkg.get_ros_home(), "retrieval_test.bag")  # as in space.launch
 
 
 class RetrievalTest(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""What tests of roslaunch itself share: a launch file, with a master on a port of its own."""
+"""Shared by the tests of roslaunch itself: a launch file, with a master on its own port."""
 
 import contextlib
 import os
@@ -15,7 +15,7 @@ TIMEOUT = 30.0  # [s]
 
 
 def free_port():
-    """None of those that the system gives to whoever asks for any, as nodes do while the master is about to start."""
+    """Returns a port outside the range of ephemeral ports, which nodes may take before the master starts."""
     while True:
         port = random.randrange(12000, 32000)
         with contextlib.suppress(OSError), socket.socket() as probe:
@@ -24,7 +24,7 @@ def free_port():
 
 
 class RoslaunchTest(unittest.TestCase):
-    """Each test has a folder of its own, in which roslaunch is started."""
+    """Each test has its own folder, in which roslaunch is started."""
 
     launch_file = None
 
@@ -33,12 +33,12 @@ class RoslaunchTest(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
 
     def start(self, *command):
-        """roslaunch, or a program that starts it, with a master on a port of its own."""
+        """Starts roslaunch, or a program that starts it, with a master on its own port."""
         port = free_port()
         self.master = f"http://localhost:{port}"
         environment = dict(os.environ, ROS_HOME=self.folder.name + "/ros", ROS_MASTER_URI=self.master,
                            ROS_HOSTNAME="localhost", PWD=self.folder.name, TMPDIR=self.folder.name)
-        # in a session of its own, so that the signal goes to that process alone
+        # in its own session, so that signals go to that process alone
         return subprocess.Popen([*command, "-p", str(port)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                 universal_newlines=True, env=environment, cwd=self.folder.name, start_new_session=True)
 
@@ -46,7 +46,7 @@ class RoslaunchTest(unittest.TestCase):
         return self.start("roslaunch", str(file or self.launch_file), *arguments)
 
     def end_of(self, process):
-        """Exit code and output; the test fails if it does not end."""
+        """Returns exit code and output; the test fails if the process does not end."""
         try:
             output, _ = process.communicate(timeout=TIMEOUT)
         except subprocess.TimeoutExpired:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""One seed, one run: under ROS with nobody listening and with everybody listening, as without ROS."""
+"""One seed, one run: under ROS with and without subscribers, as without ROS."""
 
 import os
 import sys
@@ -15,7 +15,7 @@ from visualization_msgs.msg import MarkerArray
 
 from space_client import Collector, Space, run_without_ros
 
-HASHES = os.path.join(rospkg.get_ros_home(), "same_bits_test.txt")  # as space.launch says
+HASHES = os.path.join(rospkg.get_ros_home(), "same_bits_test.txt")  # as in space.launch
 TOPICS = {"/clock": Clock, "/tf": TFMessage, "/tf_static": TFMessage, "/space/world_state": WorldState,
           "/space/markers": MarkerArray, "/space/markers_static": MarkerArray, "/space/events": Event,
           "/space/performance": Performance}
@@ -24,7 +24,7 @@ TOPICS = {"/clock": Clock, "/tf": TFMessage, "/tf_static": TFMessage, "/space/wo
 class SameBitsTest(unittest.TestCase):
     @staticmethod
     def hashes():
-        """Of the last run; complete once it is finished."""
+        """Returns the hashes of the last run; complete once it is finished."""
         with open(HASHES) as file:
             return file.read().splitlines()
 

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Services of a running space, called with whatever can stand in a request: each call is answered, with a reason if it is
-refused, and the space lives on. FUZZED_CALLS=2000 makes as many, instead of some; FUZZ_SEED=2 makes others.
+"""Services of a running space, called with arbitrary requests: each call is answered, with a reason if it is rejected, and
+the space continues. FUZZED_CALLS=2000 makes that many calls; FUZZ_SEED=2 makes different ones.
 
-A robot may wait for a participant that registered here and never answers; so may a step. That is why steps and registered
-participants are undone by the next pause and source."""
+A robot, or a step, may wait for a participant that registered here and never answers. The next pause and source therefore
+undo steps and registered participants."""
 
 import os
 import pathlib
@@ -37,7 +37,7 @@ class ServiceFuzzTest(RoslaunchTest):
     launch_file = LAUNCH_FOLDER / "run.launch"
 
     def call(self, name, kind, request):
-        """@return the answer, None if there is none, and what was wrong with it"""
+        """@return the answer, None without one, and the problem with it"""
         answers = []
 
         def ask():
@@ -75,7 +75,7 @@ class ServiceFuzzTest(RoslaunchTest):
         return self.end_of(self.process)[1]
 
     def fuzz(self, experiment, calls):
-        """@return how many were done, refused, and not even sent; and reasons for which the run stopped"""
+        """@return numbers of accepted, rejected and unsendable calls; and reasons for which the run stopped"""
         numbers = random.Random(f"{SEED}/{experiment}")
         requests = Requests(numbers, *WORLDS[experiment])
         done = refused = unsent = 0

@@ -73,7 +73,7 @@ class ServicesTest(unittest.TestCase):
     def test_who_comes_while_it_is_paused_sees_the_present_state(self):
         self.space.step(3)
         stamp = self.state_after(3).header.stamp
-        late = Collector("/space/markers", MarkerArray)  # that nobody here has subscribed to before
+        late = Collector("/space/markers", MarkerArray)  # without an earlier subscriber in this process
         markers = late.wait_for(lambda array: True).markers
         self.assertEqual({stamp}, {marker.header.stamp for marker in markers})
 
@@ -167,7 +167,7 @@ class ServicesTest(unittest.TestCase):
         self.space.step(1)
         state = self.state_after(1)
         self.assertEqual(("", "ground"), (engine_of("fb_9", state), engine_of("fb_1", state)))
-        answer = self.space.handover(["fb_9", "fb_1"], "ground")  # fb_1 is there already
+        answer = self.space.handover(["fb_9", "fb_1"], "ground")  # fb_1 is already there
         self.assertTrue(answer.success, answer.message)
         self.assertEqual((2, 1), (answer.count, answer.tick))
         self.space.step(1)
@@ -286,7 +286,7 @@ class ServicesTest(unittest.TestCase):
             self.assertEqual(0.5, self.space.inspect().target_real_time_factor)
             start = time.monotonic()
             self.space.resume()
-            while tick() < 4:  # 0.2 s each, the first at once
+            while tick() < 4:  # 0.2 s each, the first one at once
                 time.sleep(0.01)
             self.assertGreater(time.monotonic() - start, 0.55)
             self.assertEqual("running", self.space.inspect().state)

@@ -1,4 +1,4 @@
-"""What the tests of a launched space share."""
+"""Shared by the tests of a launched space."""
 
 import subprocess
 import tempfile
@@ -27,7 +27,7 @@ class Space:
             setattr(self, name, rospy.ServiceProxy("/space/" + name, service))
 
     def restart(self, **request):
-        """Paused, before the first tick."""
+        """Pauses and resets to before the first tick."""
         self.pause()
         return self.reset(ResetRequest(**request))
 
@@ -47,7 +47,7 @@ def load(name, kind):
 
 
 def run_without_ros(test, experiment, seed):
-    """The state hash of every tick, as lines."""
+    """Returns the state hash of every tick, as lines."""
     with tempfile.NamedTemporaryFile("r") as hashes:
         command = ["swarmanoid", "run", experiment, "--seed", str(seed), "--quiet", "--force", "--hashes",
                    hashes.name]
@@ -57,7 +57,7 @@ def run_without_ros(test, experiment, seed):
 
 
 class Collector:
-    """Keeps all messages of a topic; waits in wall time, for ROS time may stand still."""
+    """Keeps all messages of a topic; waits in wall time, because ROS time may stand still."""
 
     def __init__(self, topic, kind):
         self._changed = threading.Condition()
@@ -70,11 +70,11 @@ class Collector:
             self._changed.notify_all()
 
     def wait_for_publisher(self, count=1):
-        """From now on nothing is missed of so many."""
+        """Waits until `count` publishers are connected, so that no later message is lost."""
         until = time.monotonic() + TIMEOUT
         while self._subscriber.get_num_connections() < count and time.monotonic() < until:
             time.sleep(0.01)
-        time.sleep(0.1)  # the publisher's side of it
+        time.sleep(0.1)  # for the publisher's side of the connection
 
     def messages(self):
         with self._changed:
@@ -85,7 +85,7 @@ class Collector:
             self._messages = []
 
     def wait_for(self, is_it, timeout=TIMEOUT):
-        """The first message that `is_it` is true for; None if there is none in time."""
+        """Returns the first message for which `is_it` is true; None if there is none in time."""
         found = []
 
         def look():

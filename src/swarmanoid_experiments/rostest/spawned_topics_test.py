@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Where all robots have topics, those that come while it runs get them, paused or not, and those that go lose them."""
+"""With topics for all robots, spawned robots get topics during a run, paused or not, and deleted robots lose them."""
 
 import sys
 import time

@@ -1,4 +1,4 @@
-"""The conformance test with its controllers commanding their robots over standard topics, whoever provides these."""
+"""The conformance test with controllers that command their robots over standard topics, from any provider."""
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
@@ -15,13 +15,13 @@ DEVICES = {"footbot": (["footbot_proximity", "footbot_camera", "footbot_gripper_
            "handbot": (["handbot_arms_state", "handbot_hands_state", "handbot_rope_state", "handbot_camera",
                         "handbot_distance", "handbot_proximity", "handbot_vacuum", "range_and_bearing_received"],
                        ["handbot_arms", "handbot_hands", "handbot_rope", "range_and_bearing"])}
-SETTLING = 1.0  # [s]: both ways over topics, on a machine that is busy
-TOLERANCE = 0.3  # robot and host have a clock each: 2 s of motion are up to two periods of 0.1 s longer or shorter
+SETTLING = 1.0  # [s]: both ways over topics, on a busy machine
+TOLERANCE = 0.3  # robot and host have separate clocks: 2 s of motion may vary by up to two periods of 0.1 s
 LONGEST = 110.0  # [s] of wall time for all checks of a robot
 
 
 class ConformanceHosts:
-    """A host for each robot. @param robots their types and more parameters of the test, by name"""
+    """A host for each robot. @param robots: types and further parameters of the test, by name"""
 
     def __init__(self, robots):
         self._diagnostics = Collector("/diagnostics", DiagnosticArray)
@@ -35,7 +35,7 @@ class ConformanceHosts:
             self._hosts.append(Participant(robot, controller="conformance", provider="topics"))
 
     def verdict(self, robot):
-        """@return what the test of this robot says in the end: conformance, passed, unchecked, unchecked_devices"""
+        """@return the final results of this robot's test: conformance, passed, unchecked, unchecked_devices"""
         seen = {}
 
         def is_over(array):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Robots commanded over standard topics, and by controllers in Python: the example package's, once in lockstep and once
-free-running."""
+"""Robots commanded over standard topics, and by controllers in Python: those of the example package, once in lockstep and
+once free-running."""
 
 import math
 import os
@@ -26,7 +26,7 @@ from space_client import TIMEOUT, Collector, Space, run_without_ros
 REPOSITORY = pathlib.Path(rospkg.RosPack().get_path("swarmanoid_experiments")).parents[1]
 EXPERIMENT = REPOSITORY / "src/swarmanoid_experiments/rostest/topics.xml"
 SCRIPTS = REPOSITORY / "examples/example_python_controller/scripts"
-HASHES = os.path.join(rospkg.get_ros_home(), "topics_test.txt")  # as space.launch says
+HASHES = os.path.join(rospkg.get_ros_home(), "topics_test.txt")  # as in space.launch
 TICK = 0.1  # [s]
 
 
@@ -63,7 +63,7 @@ class TopicsTest(unittest.TestCase):
             collector.clear()
 
     def step(self, ticks=1):
-        """@return fb_2's place and heading afterwards"""
+        """@return position and heading of fb_2 afterwards"""
         tick = self.space.step(ticks).tick
         world = self.worlds.wait_for(lambda message: message.tick == tick)
         pose = world.poses[world.names.index("fb_2")]
@@ -83,7 +83,7 @@ class TopicsTest(unittest.TestCase):
         self.assertEqual(2.0, y)
         event = self.event("fb_2", "commands come over topics")
         self.assertEqual(6, event.tick)
-        # the time-out is half a second: commands of tick 5 hold until tick 9
+        # the time-out is half a second: commands of tick 5 are valid until tick 9
         x, _, _ = self.step(10)
         self.assertAlmostEqual(2.0 + 5 * 2.0 * 0.029 * TICK, x, 9)
         self.assertEqual(11, self.event("fb_2", "no more commands over topics, the robot stops").tick)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Hygiene of tf: no frame twice with one stamp, no leading slash, one parent each, nothing while paused."""
+"""Rules of tf: no frame twice with one stamp, no leading slash, one parent each, no messages while paused."""
 
 import sys
 import time
@@ -22,7 +22,7 @@ class TransformsTest(unittest.TestCase):
         cls.fixed = Collector("/tf_static", TFMessage)
         cls.moving.wait_for(lambda m: True)
         cls.fixed.wait_for(lambda m: True)
-        # single steps, a run of many, a reset: whatever could send one stamp twice
+        # single steps, a run of many ticks, a reset: all cases that could send one stamp twice
         for _ in range(5):
             cls.space.step(1)
         cls.space.resume()
@@ -32,7 +32,7 @@ class TransformsTest(unittest.TestCase):
         time.sleep(0.3)
         place = PoseStamped()
         place.pose.position.x, place.pose.position.y, place.pose.orientation.w = 4.1, 4.3, 1.0
-        for x in (3.7, 4.1):  # while it stands still
+        for x in (3.7, 4.1):  # while it is at rest
             place.pose.position.x = x
             cls.space.move([EntityPose("fb_2", place)])
         time.sleep(0.3)

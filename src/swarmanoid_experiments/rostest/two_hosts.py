@@ -1,9 +1,9 @@
-"""Two hosts on one machine, for tests of what runs on several computers: two network namespaces, and between them a
-link whose delay is known and that can be cut. Needs root and `ip`.
+"""Two hosts on one machine, for tests of distributed runs: two network namespaces, and between them a link with a known
+delay that can be cut. Needs root and `ip`.
 
-The link is a pair of devices from each host to a third namespace, and there a process that passes each frame on after
-the delay, and drops all while the link is cut, as a radio link does that is lost: the kernel need not know how to delay.
-That process is this file, run as a program. It makes the hosts and takes them away."""
+The link consists of pairs of devices from each host to a third namespace, and a process there that forwards each frame
+after the delay, and drops all frames while the link is cut, like a lost radio link; this needs no support for delays in the
+kernel. That process is this file, run as a program. It creates the hosts and removes them."""
 
 import collections
 import contextlib
@@ -17,11 +17,11 @@ import subprocess
 import sys
 import time
 
-ADDRESSES = ("10.77.0.1", "10.77.0.2")  # nobody else sees them
+ADDRESSES = ("10.77.0.1", "10.77.0.2")  # visible in these namespaces only
 SOL_PACKET, PACKET_VNET_HDR = 263, 15  # <linux/if_packet.h>
 ETH_P_ALL = 0x0003  # <linux/if_ether.h>
 CLONE_NEWNET = 0x40000000  # <linux/sched.h>
-LONGEST_FRAME = 1 << 17  # [bytes] kernels hand over segments that are cut later
+LONGEST_FRAME = 1 << 17  # [bytes] kernels pass on segments that are divided later
 
 
 def ip(*arguments):
@@ -31,7 +31,7 @@ def ip(*arguments):
 
 
 def why_not():
-    """@return why there cannot be two hosts here; "" if there can"""
+    """@return reason why two hosts are impossible here; "" if they are possible"""
     if os.geteuid() != 0:
         return "two hosts on one machine need root"
     if shutil.which("ip") is None:
@@ -48,7 +48,7 @@ def why_not():
 
 
 class TwoHosts:
-    """Hosts `a` and `b`, joined. What still runs there when they are closed, or this process ends in any way, is killed.
+    """Hosts `a` and `b`, connected. Processes still running there when they are closed, or when this process ends, are killed.
     @param delay of a frame, each way [s]"""
 
     def __init__(self, delay):
@@ -59,11 +59,11 @@ class TwoHosts:
         self.join()
 
     def cut(self):
-        """From now on nothing comes through, in either direction; what is under way is lost."""
+        """Drops all frames from now on, in both directions, including those in transit."""
         self._tell("cut")
 
     def join(self):
-        """The inverse."""
+        """The inverse of cut."""
         self._tell("join")
 
     def close(self):
@@ -79,23 +79,23 @@ class TwoHosts:
 
 
 class Host:
-    """One of the two. Only it can reach its own localhost."""
+    """One of the two hosts. Only its own processes can reach its localhost."""
 
     def __init__(self, namespace, address):
         self.namespace = namespace
         self.address = address
 
     def environment(self, master):
-        """The variables of ROS there. @param master the host on which the master is"""
+        """Returns the ROS environment of the host. @param master host of the ROS master"""
         kept = {name: value for name, value in os.environ.items() if name != "ROS_HOSTNAME"}
         return dict(kept, ROS_IP=self.address, ROS_MASTER_URI=f"http://{master.address}:11311")
 
     def command(self, *command):
-        """That command, to be run there."""
+        """Returns a command line that runs the command on this host."""
         return ["ip", "netns", "exec", self.namespace, *map(str, command)]
 
     def enter(self):
-        """From now on this thread, and all that it starts, are on this host."""
+        """Moves this thread, and all processes it starts later, to this host."""
         with open(f"/run/netns/{self.namespace}") as namespace:
             if ctypes.CDLL(None, use_errno=True).setns(namespace.fileno(), CLONE_NEWNET) != 0:
                 raise OSError(ctypes.get_errno(), f"cannot enter {self.namespace}")
@@ -105,7 +105,7 @@ class Host:
 
 
 def make(between, hosts):
-    """In the namespace between the hosts, each of them has a device of its name."""
+    """Creates a device for each host, with the host's name, in the namespace between the hosts."""
     for host in (between, *hosts):
         ip("netns", "add", host.namespace)
     for host in hosts:
@@ -118,19 +118,19 @@ def make(between, hosts):
 
 
 def take_away(hosts, keep):
-    """With all processes that run there, but those with these numbers."""
+    """Removes the hosts and kills all processes there, except those in `keep`."""
     for host in hosts:
         pids = subprocess.run(["ip", "netns", "pids", host.namespace], capture_output=True, text=True).stdout.split()
         for pid in map(int, pids):
             if pid not in keep:
                 with contextlib.suppress(ProcessLookupError):  # it has just ended
                     os.kill(pid, signal.SIGKILL)
-        subprocess.run(["ip", "netns", "del", host.namespace], stderr=subprocess.DEVNULL)  # its devices go with it
+        subprocess.run(["ip", "netns", "del", host.namespace], stderr=subprocess.DEVNULL)  # removes its devices, too
 
 
 def open_device(name):
-    """A socket for the frames of a device, each with a header that says which sums are still to be made and where it is
-    to be cut: the kernel leaves both to hardware that is not there."""
+    """Opens a socket for the frames of a device, each with a header that describes pending checksums and segmentation: the
+    kernel leaves both to hardware, which is absent here."""
     device = socket.socket(socket.AF_PACKET, socket.SOCK_RAW, 0)
     device.setsockopt(SOL_PACKET, PACKET_VNET_HDR, 1)
     device.bind((name, ETH_P_ALL))
@@ -138,10 +138,10 @@ def open_device(name):
 
 
 def relay(names, delay):
-    """Until the input ends. Each word that it reads is obeyed, and repeated."""
+    """Runs until the end of the input. Executes each word read, and repeats it on the output."""
     left, right = map(open_device, names)
     other = {left: right, right: left}
-    under_way = collections.deque()  # when it is due, where it goes, the frame
+    under_way = collections.deque()  # due time, destination, frame
     is_cut = False
     while True:
         wait = max(0.0, under_way[0][0] - time.monotonic()) if under_way else None

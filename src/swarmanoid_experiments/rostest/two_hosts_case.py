@@ -1,4 +1,4 @@
-"""What tests over two hosts share: a master and the test itself on host a, and launch files on both."""
+"""Shared by the tests over two hosts: a master and the test itself on host a, and launch files on both."""
 
 import os
 import pathlib
@@ -19,7 +19,7 @@ DELAY = 0.005  # [s] each way
 
 
 class TwoHostsCase(unittest.TestCase):
-    """One class of it in a process: a node starts but once."""
+    """Only one of these classes per process, because a node starts only once."""
 
     @classmethod
     def setUpClass(cls):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""A controller on another host, in lockstep over a slow link that is cut in a run: the bits of a run in process where
-all is waited for, and what the policy says where not."""
+"""A controller on another host, in lockstep over a slow link that is cut during a run: the bits of a run in process if the
+policy waits, and the policy's result otherwise."""
 
 import re
 import threading
@@ -13,7 +13,7 @@ from participants import LockstepStatus
 from space_client import TIMEOUT, Collector, Space, run_without_ros
 from two_hosts_case import DELAY, TwoHostsCase
 
-PATIENCE = 1.0  # [s] for each answer but the first
+PATIENCE = 1.0  # [s] for each answer except the first
 CUT = 2.0  # [s]
 TICKS = 300
 FINISHED = "the run finished before all of them were made"
@@ -40,7 +40,7 @@ class TwoHostsLockstepTest(TwoHostsCase):
             f"{pattern}, among {[event.text for event in self.events.messages()]}")
 
     def assert_same_bits(self):
-        """The run was that of the program, tick by tick."""
+        """Expects the run of the program, tick by tick."""
         expected = run_without_ros(self, "object_retrieval", 1)
         self.assertEqual(expected[:TICKS + 1], self.hashes.read_text().splitlines())
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""A controller on another host that commands its robot over standard topics; the link between them is cut in a run: the
-robot stops by itself, and goes on when the link is back."""
+"""A controller on another host that commands its robot over standard topics; the link is cut during a run: the robot stops
+by itself, and continues when the link is restored."""
 
 import pathlib
 import time
@@ -72,7 +72,7 @@ class TwoHostsTopicsTest(TwoHostsCase):
         self.wait_for_event(COMMANDED)
         time.sleep(0.5)
         self.assertNotEqual(stopped, self.place())
-        # its side of it, which the log says when the link is back
+        # the host's view of the cut, which reaches the log when the link is restored
         self.assertIsNotNone(logs.wait_for(lambda log: "footbot_proximity" in log.msg and log.level >= Log.WARN),
                              [log.msg for log in logs.messages()])
 

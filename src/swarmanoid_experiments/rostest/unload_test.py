@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Nodelets that fail or go: the space names them, stops cleanly if it cannot do without, and the manager lives on."""
+"""Nodelets that fail or are unloaded: the space names them, stops cleanly if it needs them, and the manager continues."""
 
 import sys
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Turns a recorded bag into a table of poses (CSV), the story of the run (events, CSV) and a picture of the trajectories.
+"""Turns a recorded bag into a table of poses (CSV), a table of events (CSV) and a picture of the trajectories.
 
     bag_to_csv.py RUN.bag [--out FOLDER]
 
@@ -28,7 +28,7 @@ from swarmanoid.bag_file import BagError, load_bag  # noqa: E402
 
 BAD_INPUT = 2
 RESULTS = ("poses.csv", "events.csv", "trajectories.png")
-MOST_NAMES = 20  # in the legend: as many colours can be told apart
+MOST_NAMES = 20  # in the legend: the number of distinguishable colours
 COLUMNS = 3  # of panels, one a run
 
 
@@ -66,13 +66,13 @@ def write_events(recording, file):
 
 
 def count_gaps(recording):
-    """Places where ticks are missing within a run."""
+    """Counts the places where ticks are missing within a run."""
     follows = recording.runs[1:] == recording.runs[:-1]
     return int(numpy.count_nonzero(follows & (recording.ticks[1:] > recording.ticks[:-1] + 1)))
 
 
 def paths_of(recording):
-    """Of everything that moves, [run][name] = [(x, y), ...] in m, and the colours of preys; robots get one in the picture."""
+    """Returns the paths of all movable entities, [run][name] = [(x, y), ...] in m, and the colours of preys."""
     runs = max([event.run for event in recording.events] + recording.runs.tolist()) + 1
     paths, colors = [{} for _ in range(runs)], {}
     for row, run in enumerate(recording.runs.tolist()):
@@ -86,9 +86,9 @@ def paths_of(recording):
 
 
 def draw(paths_of_runs, prey_colors, title):
-    """A panel for each run, all of the same scale, and one legend beside them. Returns the figure."""
+    """Draws a panel for each run, all on the same scale, and one legend beside them. Returns the figure."""
     names = sorted({name for paths in paths_of_runs for name in paths}, key=natural)
-    palette = plt.get_cmap("tab10" if len(names) <= 10 else "tab20")  # each second one of tab20 is pale
+    palette = plt.get_cmap("tab10" if len(names) <= 10 else "tab20")  # every second colour of tab20 is pale
     colors = {name: prey_colors.get(name, palette(i % palette.N)) for i, name in enumerate(names)}
     columns = min(len(paths_of_runs), COLUMNS)
     rows = math.ceil(len(paths_of_runs) / columns)
@@ -115,7 +115,7 @@ def draw(paths_of_runs, prey_colors, title):
 
 @contextlib.contextmanager
 def all_or_nothing(out):
-    """A folder for new results. They take their places in `out` together, and only if nothing fails until then."""
+    """A folder for new results. They move to `out` together, and only if no error occurs before."""
     missing = [folder for folder in [out, *out.parents] if not folder.exists()]
     try:
         if out.exists() and not out.is_dir():

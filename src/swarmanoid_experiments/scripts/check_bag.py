@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Says whether a recorded bag can be read: prints its full name, or in one line what is wrong with it.
+"""Checks whether a recorded bag can be read: prints its absolute path, or the problem in one line.
 
     check_bag.py RUN.bag
 
-Exit code: 0 it can be read, 2 it cannot. launch/play_bag.launch asks before it starts anything."""
+Exit code: 0 readable, 2 not readable. launch/play_bag.launch calls it before it starts any node."""
 
 import argparse
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the images that experiments and tests have their heightfields from. Needed only to change them."""
+"""Writes the images of the heightfields in experiments and tests. Only needed to change them."""
 import math
 import pathlib
 import struct
@@ -9,10 +9,10 @@ PACKAGE = pathlib.Path(__file__).resolve().parent.parent
 GREY = 0
 COLOURED = 2
 
-# rough_terrain.xml: 4 m x 3 m, a pixel each 0.05 m; black is 0.25 m below the floor, a grey value 0.01 mm
+# rough_terrain.xml: 4 m x 3 m, a pixel per 0.05 m; black is 0.25 m below the floor, a grey value is 0.01 mm
 LEVEL = 25000
 PER_METRE = 100000
-# middle x, y [m], height [m], radius [m]
+# centre x, y [m], height [m], radius [m]
 HILLS = [(0.9, 2.1, 0.16, 0.55), (2.0, 0.8, 0.12, 0.45), (3.2, 2.2, 0.2, 0.5), (3.2, 0.8, 0.09, 0.35), (1.0, 0.7, 0.06, 0.3),
          (1.75, 2.55, 0.05, 0.25)]
 HOLE = (2.15, 1.85, -0.22, 0.3)
@@ -23,7 +23,7 @@ def chunk(kind, body):
 
 
 def write_png(file, rows, bits=8, kind=GREY):
-    """rows: of values from the top, three of them a pixel if it is COLOURED."""
+    """rows: lists of values, top row first; three values per pixel if COLOURED."""
     width = len(rows[0]) // (3 if kind == COLOURED else 1)
     header = struct.pack(">IIBBBBB", width, len(rows), bits, kind, 0, 0, 0)
     lines = b"".join(b"\0" + struct.pack(f">{len(row)}{'H' if bits == 16 else 'B'}", *row) for row in rows)
@@ -32,7 +32,7 @@ def write_png(file, rows, bits=8, kind=GREY):
 
 
 def bump(distance):
-    """1 in the middle, 0 from distance 1 on, smooth."""
+    """Smooth bump: 1 in the centre, 0 from distance 1 on."""
     return 0.5 + 0.5 * math.cos(math.pi * distance) if distance < 1.0 else 0.0
 
 
@@ -40,9 +40,9 @@ def rough_height(x, y):
     height = sum(h * bump(math.hypot(x - at_x, y - at_y) / radius) for at_x, at_y, h, radius in HILLS)
     at_x, at_y, depth, radius = HOLE
     distance = math.hypot(x - at_x, y - at_y) / radius
-    # flat at the bottom, with steep sides
+    # flat bottom, steep sides
     hole = depth * bump(max(0.0, (distance - 0.65) / 0.35))
-    # ripples, which end before the rim
+    # ripples that end before the rim
     middle = max(0.0, 1.0 - (abs(x - 2.0) / 1.9) ** 6) * max(0.0, 1.0 - (abs(y - 1.5) / 1.4) ** 6)
     return height + hole + 0.006 * middle * math.sin(11.0 * x + 3.0 * y) * math.sin(9.0 * y - 2.0 * x)
 

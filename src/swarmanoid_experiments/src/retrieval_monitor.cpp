@@ -1,5 +1,5 @@
-// Judges the object retrieval experiment: the run is over when a prey lies in the nest, and a success if the eyebot has
-// chosen that prey, or if there is no choice.
+// Judges the object retrieval experiment: the run ends when a prey is in the nest. It is a success if the eyebot chose
+// that prey, or if no robot chooses.
 #include <string>
 
 #include "swarmanoid_interface/contains.hpp"

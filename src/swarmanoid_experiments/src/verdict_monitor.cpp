@@ -1,5 +1,5 @@
-// Judges experiments whose robots report verdicts, by a debug value: the run is over when no verdict is undecided, and
-// a success if all agree.
+// Judges experiments whose robots report a verdict as a debug value: the run ends when no verdict is undecided, and is
+// a success if all are good.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -41,7 +41,8 @@ class VerdictMonitor final : public Observer {
         }
       }
     }
-    // a debug value that a controller sets as it fails is not sent by other processes; the reason of the failure is
+    // other processes do not send the debug value that a controller sets when it fails, but they send the failure's
+    // reason
     for (const Event& event : space.events) {
       if (event.kind == Event::Kind::kControllerFailed && verdicts_.count(event.entity) > 0) {
         verdicts_[event.entity] = event.text;

@@ -1,5 +1,5 @@
-// The installed experiment `aggregation`: footbots that know one bit come together, the better the farther they see
-// (Gauci et al. 2014 prove that the range must be long enough), and not at all when the bit is always 0.
+// The installed experiment `aggregation`: footbots with a one-bit sensor aggregate, the better the longer their range
+// (Gauci et al. 2014 prove that the range must be long enough), and not at all if the bit is always 0.
 #include <gtest/gtest.h>
 
 #include "installed_experiment.hpp"
@@ -8,10 +8,10 @@
 namespace swarmanoid::test {
 namespace {
 
-// All bounds of this test; ./test --long has twenty seeds and four ranges.
+// Limits of this test; ./test --long uses twenty seeds and four ranges.
 constexpr std::uint64_t kSeeds = 2;
-constexpr double kTogether = 0.9;     // of the robots at the least are one cluster in the end
-constexpr double kTimesAsMuch = 5.0;  // at the least is the second moment of robots that see less far, or nobody
+constexpr double kTogether = 0.9;     // minimum fraction of robots in the largest cluster at the end
+constexpr double kTimesAsMuch = 5.0;  // minimum ratio of second moments: short-sighted or blind robots to the others
 
 struct Result {
   double second_moment = 0.0;

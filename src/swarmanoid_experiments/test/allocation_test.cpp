@@ -1,4 +1,5 @@
-// A steady tick of a whole simulation (sensors, controllers, actuators, engine, grips, index, monitor) touches no heap.
+// A steady tick of a whole simulation (sensors, controllers, actuators, engine, grips, index, monitor) does not use the
+// heap.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_interface/plugin_library.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 struct Stretch {
   const char* experiment;
-  bool with_monitor;  // then it ends with its task; without it goes on
+  bool with_monitor;  // the run ends with its task; without the monitor it continues
   std::uint64_t first;
   std::uint64_t last;
 };

@@ -12,7 +12,7 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
   }
 }
 
-/// The lines up to `end`, joined.
+/// Joins the lines up to `end`.
 std::string block(std::istream& lines, const std::string& end) {
   std::string line;
   std::string text;

@@ -1,4 +1,4 @@
-/// The bad experiment files of data/bad_experiments.txt, and the good one that they are made from.
+/// The bad experiment files of data/bad_experiments.txt, and the good file that they are derived from.
 #pragma once
 
 #include <ostream>
@@ -10,8 +10,8 @@ namespace swarmanoid::test {
 struct BadCase {
   std::string name;
   std::string text;
-  std::string message;             ///< a * stands for anything
-  bool refused_by_schema = false;  ///< an editor with the schema sees the mistake too
+  std::string message;             ///< a * matches any text
+  bool refused_by_schema = false;  ///< an editor with the schema detects the mistake too
 };
 
 void PrintTo(const BadCase& bad, std::ostream* out);

@@ -1,4 +1,4 @@
-// Every bad experiment file is refused with exactly the message that stands beside it.
+// Every bad experiment file is rejected with exactly the message given with it.
 #include <fnmatch.h>
 #include <gtest/gtest.h>
 

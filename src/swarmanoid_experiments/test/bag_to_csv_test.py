@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tables and picture from bags: of a real run, of runs with resets, all kinds of events; what is refused leaves nothing."""
+"""Tables and picture from bags: of a real run, of runs with resets, all kinds of events; rejected input leaves no files."""
 
 import csv
 import importlib.util
@@ -64,7 +64,7 @@ class BagToCsvTest(ProgramTest):
                               preexec_fn=limit_file_size)
 
     def tables(self, summary):
-        """Rows of poses and events as dictionaries."""
+        """Returns the rows of poses and events as dictionaries."""
         done = self.convert("run.bag", "--out", "out")
         self.assertEqual((done.returncode, done.stdout, done.stderr),
                          (0, f"out: poses.csv, events.csv, trajectories.png; {summary}\n", ""))
@@ -77,7 +77,7 @@ class BagToCsvTest(ProgramTest):
         return tables
 
     def assert_bag_refused(self, message, *arguments, **options):
-        """In one line, and nothing is left behind or changed."""
+        """Expects a message in one line, and no new or changed files."""
         def contents():
             return {file: file.is_file() and file.read_bytes() for file in self.folder.rglob("*")}
 
@@ -109,7 +109,7 @@ class TablesTest(BagToCsvTest):
                                      "other": "prey", "text": "why, \"so\""})
 
     def test_resets_are_counted_from_the_beginning_of_the_bag(self):
-        """The space had been reset twice already when the recording began."""
+        """The space had already been reset twice when the recording began."""
         self.write(*(world_state(run, tick) for run, ticks in ((2, 4), (3, 3)) for tick in range(ticks)),
                    self.event(Event.SPAWNED, 2, 3), self.event(Event.FINISHED, 3, 2))
         poses, events = self.tables("2 runs, 0 gaps in the ticks")
@@ -127,7 +127,7 @@ class TablesTest(BagToCsvTest):
         self.tables("2 runs, 2 gaps in the ticks")
 
     def test_tables_have_the_bytes_that_messages_have(self):
-        """Whatever arrays are in between: all digits, entities that come and go, and numbers that are none."""
+        """Compares with the messages directly: all digits, entities that appear and disappear, and NaN."""
         random = Random(1)
         for run, tick in ((4, 0), (4, 1), (4, 2), (5, 0), (5, 3)):
             state = world_state(run, tick, ["fb_10", "fb_2", "late"][:2 + tick % 2])

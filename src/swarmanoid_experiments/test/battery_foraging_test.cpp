@@ -1,5 +1,5 @@
-// Foraging on batteries, the installed experiment: robots that go to be charged keep bringing preys; those that do not
-// stand still once their batteries are empty. The more robots, the less each brings for what it uses.
+// Foraging on batteries, the installed experiment: robots that recharge keep delivering preys; the others stop with
+// empty batteries. The larger the group, the fewer preys per used energy.
 #include <gtest/gtest.h>
 
 #include "installed_experiment.hpp"
@@ -59,8 +59,8 @@ TEST(BatteryForagingTest, WhoIsChargedKeepsGoing) {
   }
 }
 
-// The electronics, proximity sensors, camera and gripper draw 4.74 W, wheels at most 4 W and LEDs, blue, 0.8 W. A
-// battery of 1000 J is empty after 105 s at the earliest, and with the capacitor's 60 J after 224 s at the latest.
+// Electronics, proximity sensors, camera and gripper draw 4.74 W, wheels at most 4 W and blue LEDs 0.8 W. A battery of
+// 1000 J is empty after at least 105 s, and with the capacitor's 60 J after at most 224 s.
 TEST(BatteryForagingTest, WhoIsNeverChargedStandsStill) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto simulation = foraging(seed, {kNeverCharged});

@@ -1,6 +1,6 @@
-// Batteries of robots: what is drawn, when a robot is off, what the super-capacitor bridges. A footbot of these tests
-// draws 3.2 W for its electronics, 0.3 W for its gripper, 0.24 W for its infrared sensors: 3.74 W; and 4 W more with
-// both wheels at their limit of 10.3448 rad/s.
+// Batteries of robots: drawn power, robots that are off, and the super-capacitor. A footbot in these tests draws 3.2 W
+// for its electronics, 0.3 W for its gripper, 0.24 W for its infrared sensors: 3.74 W; and 4 W more with both wheels at
+// their limit of 10.3448 rad/s.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_interface/controller.hpp"
@@ -90,7 +90,7 @@ void set(Simulation& simulation, const std::string& property, double value) {
   simulation.apply(SetProperty{"fb", property, numberText(value)});
 }
 
-/// A wall 0.5 m ahead holds the robot. By hand, at the part u of full voltage: 16 / 2 * u * u more for each wheel.
+/// A wall 0.5 m ahead blocks the robot. By hand, at the fraction u of full voltage: 16 / 2 * u * u more for each wheel.
 TEST(BatteryTest, ARobotThatIsHeldDrawsByItsLoad) {
   const double full = 0.3 / 0.029;  // rad/s
   for (const char* engine : {"kinematics2d", "dynamics2d"}) {
@@ -106,10 +106,10 @@ TEST(BatteryTest, ARobotThatIsHeldDrawsByItsLoad) {
       const auto simulation = world.make();
       simulation->start();
       const Row row = simulation->space().entities.find("fb");
-      tick(*simulation, 10);  // it drives as commanded
+      tick(*simulation, 10);  // the robot drives as commanded
       const double part = speed / full;
       EXPECT_NEAR(simulation->space().batteries[row][0].power, kStandby + 4.0 * part, 0.01) << engine;
-      tick(*simulation, 40);  // it stands at the wall
+      tick(*simulation, 40);  // the robot is blocked by the wall
       EXPECT_NEAR(simulation->space().batteries[row][0].power, kStandby + 4.0 * part + 16.0 * part * part, 0.1)
           << engine << " at " << speed;
     }
@@ -185,7 +185,7 @@ TEST(BatteryTest, ItGoesOnWithEnough) {
   const auto simulation = started(battery(3.0, 0.0), kAhead);
   tick(*simulation, 10);
   const double place = wayOf(*simulation);
-  set(*simulation, "charge", 0.89);  // of 0.9 J, 0.3 of its capacity
+  set(*simulation, "charge", 0.89);  // below 0.9 J, which is 0.3 of its capacity
   tick(*simulation, 5);
   EXPECT_EQ(wayOf(*simulation), place);
   EXPECT_EQ(held(*simulation, "charge"), 0.89);
@@ -214,7 +214,7 @@ TEST(BatteryTest, WhoeverElseCommandsItDoesSoOnceItIsCharged) {
   EXPECT_GT(wayOf(*simulation), place + 0.01);
 }
 
-/// A robot whose battery is empty after 9 ticks, and which has enough before the tick 20.
+/// A robot whose battery is empty after 9 ticks, and recharged sufficiently in tick 20.
 std::unique_ptr<Simulation> chargedAgain(bool fails_in_step) {
   TestFailing::starts = 0;
   TestFailing::fails_in_step = fails_in_step;
@@ -233,7 +233,7 @@ TEST(BatteryTest, AControllerThatCannotStartAnewHasFailedAndTheRunGoesOn) {
   ASSERT_EQ(simulation->failures().size(), 1U);
   EXPECT_NE(simulation->failures()[0].reason.find("after its battery was charged"), std::string::npos);
   EXPECT_NE(simulation->failures()[0].reason.find("twice"), std::string::npos);
-  tick(*simulation, 20);  // it is empty once more
+  tick(*simulation, 20);  // its battery is empty again
   set(*simulation, "charge", 3.0);
   tick(*simulation, 3);
   EXPECT_EQ(simulation->failures().size(), 1U);
@@ -257,8 +257,8 @@ TEST(BatteryTest, WhileItIsOffNobodyCanBeChosenWhoCannotCommandIt) {
 }
 
 TEST(BatteryTest, TheSuperCapacitorBridgesWithWheelsOff) {
-  // tick 3 takes the last 0.0973 J of the battery and 0.354 J of the capacitor; the 9.646 J left last 25.8 ticks at
-  // rest
+  // tick 3 takes the last 0.0973 J of the battery and 0.354 J of the capacitor; the remaining 9.646 J last 25.8 ticks
+  // at rest
   const auto simulation = started(battery(1.0, 10.0), kAhead);
   tick(*simulation, 3);
   EXPECT_EQ(held(*simulation, "charge"), 0.0);

@@ -1,4 +1,4 @@
-// What cameras see among what engines move is what a ray to each LED finds, to the last bit, in each engine.
+// In each engine, cameras report exactly the LEDs that a ray to each LED finds, to the last bit.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kRange = 1.5;  // m
 
-/// Handbots in a row, of whom no controller turns the arms.
+/// Handbots in a row; no controller turns their arms.
 constexpr int kHandbots = 5;
 
-/// Footbots that drive about between walls, blocks and handbots.
+/// Footbots that drive between walls, blocks and handbots.
 std::string crowd(const std::string& engine) {
   std::string blocks;
   std::string members;
@@ -47,7 +47,7 @@ std::string crowd(const std::string& engine) {
          "</engine></arena_physics></ahss-config>";
 }
 
-/// Lifts and bends arms, of those who have any.
+/// Raises and bends the arms of all entities that have arms.
 void turnArms(Space& space, std::mt19937_64& random) {
   for (const Row row : space.entities.order) {
     const EntityModel& model = *space.entities.model[row];
@@ -68,7 +68,7 @@ TEST_P(CameraRaysTest, AreThoseToEachLed) {
   loadBuiltInPlugins();
   Simulation simulation(parseExperiment(crowd(GetParam()), "crowd.xml"));
   simulation.start();
-  Space& space = const_cast<Space&>(simulation.space());  // lights LEDs, which nobody commands
+  Space& space = const_cast<Space&>(simulation.space());  // lights LEDs, which no controller commands
   std::mt19937_64 random(11);
   std::vector<std::vector<SeenLed>> expected;
   std::size_t in_sight = 0;
@@ -84,7 +84,7 @@ TEST_P(CameraRaysTest, AreThoseToEachLed) {
       const Eigen::Vector3d eye = space.entities.pose[row].toWorld({0.0, 0.0, FootbotCamera::kMount});
       expected.push_back(ledsByPlainRays(space, row, eye, kRange));
     }
-    simulation.tick();  // senses first
+    simulation.tick();  // sensors are read first
     for (std::size_t k = 0; k < space.entities.order.size(); ++k) {
       const Row row = space.entities.order[k];
       if (const auto* camera = space.readings.find<FootbotCamera>(row)) {

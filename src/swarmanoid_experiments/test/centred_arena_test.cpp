@@ -1,5 +1,5 @@
-// An arena with a centre of its own: all that has a place goes with it. A world whose arena and contents are shifted
-// makes the same run, shifted; where the centre is that of an arena from the origin on, to the last bit.
+// An arena with a centre of its own: all positions move with it. A world with shifted arena and contents makes the same
+// run, shifted; if the arena starts at the origin as usual, to the last bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::string text(const Eigen::Vector3d& v) {
 }
 
 /// Footbots that diffuse between a prey and the walls of an arena of 6 m by 4 m, over an image.
-/// @param attributes of <arena> beside its size @param shift of all that has a place [m]
+/// @param attributes of <arena> besides its size @param shift of all positions [m]
 std::unique_ptr<Simulation> start(const std::string& engine, const std::string& attributes,
                                   const Eigen::Vector3d& shift) {
   loadBuiltInPlugins();

@@ -1,5 +1,5 @@
-// The installed experiment `chain_formation`: what one robot does that sees the end of a chain; and the figure of the
-// paper, that a path takes the longer the farther nest and prey are apart. Without links it does not come about.
+// The installed experiment `chain_formation`: reactions of one robot to the end of a chain; and the paper's result that
+// the time of the first path grows with the distance between nest and prey. Without links there is no path.
 #include <gtest/gtest.h>
 
 #include "installed_experiment.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr auto kTick = std::chrono::milliseconds(100);
 constexpr Color kNest{255, 0, 255};
 
-/// A robot of which the test says what it sees; where it may join a chain it does so at once.
+/// A robot whose readings the test sets; it joins a chain as soon as it may.
 class OneRobot {
  public:
   explicit OneRobot(const std::string& leaving = "0", const std::string& nest = "magenta") {
@@ -67,10 +67,10 @@ TEST(ChainFormationControllerTest, WhoIsBeyondTheEndOfAChainShowsTheNextColour) 
                                                   {colors::kGreen, colors::kYellow, colors::kBlue}};
   for (const std::vector<Color>& chain : chains) {
     OneRobot robot;
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {  // in line with it, each 0.7 m from the next
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {  // collinear, 0.7 m apart
       robot.see(chain[i], 0.7 * static_cast<double>(chain.size() - 1 - i), 2.9);
     }
-    robot.step(2);  // it looks, and joins
+    robot.step(2);  // it perceives, then joins
     EXPECT_EQ(toString(robot.beacon.color), toString(chain.back()));
     EXPECT_FALSE(robot.isDriving());
   }
@@ -79,7 +79,7 @@ TEST(ChainFormationControllerTest, WhoIsBeyondTheEndOfAChainShowsTheNextColour) 
 TEST(ChainFormationControllerTest, WhoIsBesideTheChainOrSeesItGoOnDoesNotJoin) {
   OneRobot beside;
   beside.see(kNest, 0.99, 0.8);
-  beside.see(colors::kBlue, 0.7, 0.0);  // 45 degrees off the line of the two
+  beside.see(colors::kBlue, 0.7, 0.0);  // 45 degrees off the line through both
   OneRobot amid;
   amid.see(kNest, 0.7, 0.0);
   amid.see(colors::kBlue, 0.9, 3.0);
@@ -140,7 +140,7 @@ TEST(ChainFormationControllerTest, ANestInTheColourOfThePreyIsRefused) {
   }
 }
 
-/// Until it ends. @return the time of the first path [s], or of the end
+/// Runs to the end. @return the time of the first path [s], or of the end
 double formationTime(std::uint64_t seed, const std::vector<std::string>& overrides, bool is_success) {
   const auto simulation = installed("chain_formation", seed, overrides);
   finish(*simulation);
@@ -151,7 +151,7 @@ double formationTime(std::uint64_t seed, const std::vector<std::string>& overrid
 
 TEST(ChainFormationExperimentTest, APathTakesTheLongerTheFartherThePreyIs) {
   constexpr std::uint64_t kSeeds = 4;
-  std::vector<double> means;  // of the time [s]
+  std::vector<double> means;  // mean times [s]
   for (const char* prey : {"1.8, 1, 0", "2.6, 1, 0", "3.4, 1, 0"}) {
     means.push_back(0.0);
     for (std::uint64_t seed = 11; seed < 11 + kSeeds; ++seed) {

@@ -1,4 +1,5 @@
-// The rule `charging`: what perches give to robots that run on batteries, and who stops; and the installed experiment.
+// The rule `charging`: energy that perches supply to battery-powered robots, and robots that stop; and the installed
+// experiment.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -26,7 +27,7 @@ std::string perch(const std::string& id, double x, double y, const std::string& 
          ",0</position><orientation>0,0,0</orientation>" + parameters + "</charging_perch>";
 }
 
-/// A footbot that runs on a battery without super-capacitor. It draws 3.74 W, and 0.7733 W more at 2 rad/s.
+/// A battery-powered footbot without super-capacitor. It draws 3.74 W, and 0.7733 W more at 2 rad/s.
 std::string powered(const std::string& id, double x, double y, double capacity, double level = 1.0) {
   std::string text = footbot(id, x, y, 0);
   return text.insert(text.find("</footbot>"),
@@ -35,7 +36,7 @@ std::string powered(const std::string& id, double x, double y, double capacity, 
                          "</battery_level><battery_enough>0.6</battery_enough>");
 }
 
-/// Ticks of 0.1 s; perches look every 0.3 s who is there.
+/// Ticks of 0.1 s; perches look for robots every 0.3 s.
 std::unique_ptr<Simulation> chargingWorld(const std::string& perches, const std::string& robots,
                                           const std::string& members, const std::string& drive,
                                           const std::string& parameters) {
@@ -112,7 +113,7 @@ TEST(ChargingTest, APerchRunsEmptyAndRecovers) {
   const auto simulation = chargingWorld(
       perch("perch", 5, 5, "<capacity>100</capacity><level>0.2</level><supply>10</supply>"),
       powered("fb", 5.2, 5, 1000, 0.5), member("perch") + member("fb"), kStill, "<power>60</power><ready>8</ready>");
-  // -18 +3: 5 left, which it can give in 0.3 s; then -5 +3: empty, until it has 9
+  // -18 + 3: 5 J remain, which it can supply in 0.3 s; then -5 + 3: empty, until it has 9 J
   tick(*simulation, 4);
   EXPECT_NEAR(chargeOf(*simulation, "perch"), 5.0, 1e-9);
   EXPECT_EQ(colorOf(*simulation, "perch"), colors::kYellow);
@@ -134,7 +135,7 @@ TEST(ChargingTest, APerchRunsEmptyAndRecovers) {
 }
 
 TEST(ChargingTest, AnEmptyRobotIsCommandedByNobodyUntilItHasEnough) {
-  // 2 rad/s of wheels of 0.029 m: 0.058 m/s, and 4.5133 W; 2.9 J last for 6.4 ticks
+  // wheels of 0.029 m at 2 rad/s: 0.058 m/s, and 4.5133 W; 2.9 J last for 6.4 ticks
   const auto simulation =
       chargingWorld(perch("perch", 7, 5, ""), powered("fb", 5, 5, 2.9), member("perch") + member("fb"),
                     "<left>2</left><right>2</right>", "<power>4</power>");
@@ -149,7 +150,7 @@ TEST(ChargingTest, AnEmptyRobotIsCommandedByNobodyUntilItHasEnough) {
   EXPECT_NEAR(poseOf(*simulation, "fb").position.x(), stopped_at, 1e-9);
   EXPECT_EQ(metricOf(*simulation, "mean_level"), 0.0) << "and it uses nothing";
   simulation->apply(MoveEntity{"fb", {{6.75, 5.2, 0.0}, Eigen::Quaterniond::Identity()}});
-  // perch at (7, 5): 0.32 m, out of reach
+  // the perch at (7, 5) is 0.32 m away, out of reach
   tick(*simulation, 6);
   EXPECT_EQ(metricOf(*simulation, "mean_level"), 0.0);
   simulation->apply(MoveEntity{"fb", {{6.9, 5.2, 0.0}, Eigen::Quaterniond::Identity()}});
@@ -198,10 +199,10 @@ TEST(ChargingTest, WhoIsDeletedCountsNoMoreAndAResetStartsAnew) {
   EXPECT_NEAR(metricOf(*simulation, "mean_level"), 50.0 - kStandby, 1e-9) << "both are there again, and full";
 }
 
-// All bounds of the experiment, of whose 4 robots each has 1000 J at first.
-constexpr double kLeastLevel = 300.0;  // J in the mean over the robots, at any time
+// Limits of the experiment; each of its 4 robots has 1000 J at first.
+constexpr double kLeastLevel = 300.0;  // J, mean over the robots, at any time
 constexpr double kMostRanEmpty = 1.0;  // robots in 600 s
-constexpr double kUncaring = 4.0;      // robots that ran empty of those that look for no perch
+constexpr double kUncaring = 4.0;      // robots that ran empty among those that never look for a perch
 
 /// @param little part of the capacity below which a robot looks for a perch
 std::unique_ptr<Simulation> charging(std::uint64_t seed, const std::string& little = "0.7", int threads = 1) {

@@ -1,5 +1,5 @@
-// The installed experiments `climbing` and `shelf_retrieval` with many seeds: the handbot brings the box down, and does
-// not where a sensor that it decides by is faulty. With SWARMANOID_LONG_TESTS 100 seeds each.
+// The installed experiments `climbing` and `shelf_retrieval` with many seeds: the handbot brings the box down, except
+// with a fault in a sensor that its decisions depend on. SWARMANOID_LONG_TESTS sets 100 seeds for each.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -18,8 +18,8 @@ constexpr std::size_t kRope = 2;
 
 struct Runs {
   std::string experiment;
-  std::string found;  // what of the file is replaced; "": nothing
-  std::string put;    // by what
+  std::string found;  // part of the file to replace; "": none
+  std::string put;    // its replacement
 };
 
 std::unique_ptr<Simulation> start(const Runs& runs, std::uint64_t seed) {
@@ -38,8 +38,8 @@ std::unique_ptr<Simulation> start(const Runs& runs, std::uint64_t seed) {
   return simulation;
 }
 
-/// Whether the handbot stands on the ground in the end, off its rope, with the box in its left hand, which is lower
-/// than where it stood, at 0.74 m.
+/// Whether the handbot stands on the ground at the end, off its rope, with the box in its left hand and below its
+/// initial height of 0.74 m.
 bool isBroughtDown(Simulation& simulation) {
   while (!simulation.isFinished()) {
     simulation.tick();

@@ -1,4 +1,4 @@
-// Handbots that climb: the example, ropes and arms carried from engine to engine, devices that stand idle in a plane.
+// Climbing handbots: the example, ropes and arms at handovers between engines, devices that are idle in a plane.
 #include <gtest/gtest.h>
 
 #include "handover_world.hpp"
@@ -12,7 +12,7 @@
 namespace swarmanoid::test {
 namespace {
 
-// Holders of the handbot's model, by their indices there.
+// Indices of holders in the handbot's model.
 constexpr std::size_t kLeftHand = 0;
 constexpr std::size_t kRope = 2;
 
@@ -21,8 +21,8 @@ Experiment climbing() {
   return readExperiment(findShared("swarmanoid_experiments", "experiments/climbing.xml"));
 }
 
-/// @param members ids in the file: of those that are distributed without their numbers
-/// @param first whether the engine comes before all others, so that it moves what it lists
+/// @param members ids in the file; those of distributed entities without their numbers
+/// @param first whether the engine comes before all others, so that it moves its members
 void addEngine(Experiment& experiment, const std::string& label, const std::string& id,
                const std::vector<std::string>& members, bool first) {
   EngineDescription engine;
@@ -66,7 +66,7 @@ void expectTheBoxIsDown(Simulation& simulation) {
   EXPECT_EQ(attachments.of(robot, kLeftHand).held, rowOf(simulation, "box_1"));
   EXPECT_FALSE(attachments.isAttached(robot, kRope));
   EXPECT_NEAR(poseOf(simulation, "hb_1").position.z(), 0.0, 2e-3);
-  EXPECT_LT(poseOf(simulation, "box_1").position.z(), 0.5);  // it stood at 0.74 m
+  EXPECT_LT(poseOf(simulation, "box_1").position.z(), 0.5);  // its initial height is 0.74 m
 }
 
 TEST(ClimbingTest, TheHandbotBringsTheBoxDown) { expectTheBoxIsDown(*start(climbing())); }
@@ -94,14 +94,15 @@ TEST(ClimbingTest, FootbotsCarryItThereInTwoDimensions) {
   EXPECT_EQ(simulation->space().structure.grippersOf(rowOf(*simulation, "hb_1")).size(), 2U);
   runUntil(*simulation, "shooting");
   EXPECT_TRUE(simulation->space().structure.grippersOf(rowOf(*simulation, "hb_1")).empty());
-  // its sensor, 0.145 m ahead of its axis, feels the cabinet at 0.09 m; the carriers hear of that two ticks later
+  // its sensor, 0.145 m ahead of its axis, detects the cabinet at 0.09 m; the carriers receive the message two ticks
+  // later
   EXPECT_NEAR(poseOf(*simulation, "hb_1").position.x(), 2.5 - 0.145 - 0.09 + 0.015, 0.015);
   expectTheBoxIsDown(*simulation);
   EXPECT_EQ(moverOf(*simulation, "hb_1"), "space");
 }
 
-// On paper: arms and rope do as commanded, the wall ends where the rope is 0.8 m long, and the hand loses what it holds
-// as soon as it is raised.
+// Simulated by hand: arms and rope follow their commands, the wall ends at a rope length of 0.8 m, and the hand loses
+// the object as soon as it is raised.
 TEST(ClimbingTest, WhoLosesTheObjectAgainAndAgainComesDown) {
   constexpr auto kTick = std::chrono::milliseconds(100);
   Robot robot("hb_1", "handbot", 1);
@@ -150,7 +151,7 @@ TEST(ClimbingTest, TheSameBitsAgainAndAfterAReset) {
   EXPECT_EQ(hashesOf(*again, 150), expected);
 }
 
-/// What a handover must keep to the bit.
+/// State that a handover must keep bit for bit.
 struct Kept {
   explicit Kept(const Simulation& simulation) {
     const Space& space = simulation.space();
@@ -208,10 +209,10 @@ TEST(ClimbingTest, RopeArmsAndHandsGoFromEngineToEngine) {
   };
   goAndReturn(15, "climbing");
   const double length = simulation->space().attachments.of(rowOf(*simulation, "hb_1"), kRope).length;
-  EXPECT_LT(length, 2.15);  // it was wound all the while, faster and faster, from 2.21 m
+  EXPECT_LT(length, 2.15);  // wound all the time, with increasing speed, from 2.21 m
   runUntil(*simulation, "descending");
   goAndReturn(10, "descending");
-  EXPECT_EQ(moverOf(*simulation, "box_1"), "space");  // it came along, there and back
+  EXPECT_EQ(moverOf(*simulation, "box_1"), "space");  // it was handed over with the handbot, there and back
   expectTheBoxIsDown(*simulation);
 }
 

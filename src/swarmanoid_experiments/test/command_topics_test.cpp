@@ -1,4 +1,4 @@
-// Robots that are commanded over topics: what is put into the mailbox moves them, silence stops them.
+// Robots that are commanded over topics: commands in the mailbox move them, silence stops them.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_interface/command_mailbox.hpp"
@@ -18,7 +18,7 @@ Bytes bytesOf(const FootbotWheels& wheels) {
   return bytes;
 }
 
-/// A footbot at (1, 2) that looks along x; its command source is `topics`.
+/// A footbot at (1, 2) that faces along x; its command source is `topics`.
 class CommandTopicsTest : public testing::Test {
  protected:
   CommandTopicsTest() {
@@ -35,7 +35,7 @@ class CommandTopicsTest : public testing::Test {
   }
 
   std::string put(double left, double right) { return mailbox_->put("fb", "footbot_wheels", bytesOf({left, right})); }
-  /// @return how far it drove in these ticks, in ticks of `speed`
+  /// @return driven distance, in ticks at `speed`
   double drive(int ticks, double speed) {
     const double before = poseOf(*simulation_, "fb").position.x();
     for (int i = 0; i < ticks; ++i) {

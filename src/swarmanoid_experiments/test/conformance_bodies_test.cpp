@@ -1,5 +1,5 @@
-// The conformance test of what handbots and eyebots feel of what is around them, and of batteries: it finds each device
-// that is wired wrongly, by name. What is wired rightly passes in conformance_test.cpp.
+// The conformance test of the environment sensors of handbots and eyebots, and of batteries: each wrongly wired device
+// is detected and named. Correct wiring is tested in conformance_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ TEST(ConformanceBodiesTest, FindsDistanceSensorsOfAHandbotThatAreWiredWrongly) {
   expectOnHandbot(wireRing<Ring, Values>(&Ring::distance,
                                          [](Values& ring) {
                                            for (float& value : ring) {
-                                             value = std::min(value, 0.3F);  // as many drivers have it where nothing is
+                                             value = std::min(value, 0.3F);  // as many drivers in open space
                                            }
                                          }),
                   judged + "not true: way from sensor 7 to the wall is out of range (inf): 0.300 m");
@@ -129,7 +129,7 @@ TEST(ConformanceBodiesTest, FindsAFlightToAPlaceThatIsAnotherOne) {
   expectToBeFound(wire<EyebotPosition>([](EyebotPosition& flight) { flight.position *= 0.01; }));
 }
 
-/// A footbot beside a perch that charges it, or in a station that exchanges its battery.
+/// A footbot beside a perch that charges its battery, or in a station that exchanges it.
 std::string batteryWith(const std::string& parameter, const std::string& object, const std::string& rule) {
   return R"(<?xml version="1.0"?>
 <ahss-config>

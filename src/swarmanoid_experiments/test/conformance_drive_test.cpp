@@ -1,5 +1,5 @@
-// The conformance test of any robot with a differential drive, which is judged by a wall alone, finds a drive that is
-// wired wrongly, and says by what it has found it.
+// The conformance test of any robot with a differential drive, with a wall as its only reference: it detects a wrongly
+// wired drive, and names the failed expectation.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,7 +14,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A footbot by the devices of any robot; 0.4 m to the right of its middle is a wall.
+/// A footbot with the devices of any robot; a wall is 0.4 m to the right of its centre.
 constexpr const char* kExperiment = R"(<?xml version="1.0"?>
 <ahss-config>
   <framework>
@@ -51,7 +51,7 @@ constexpr const char* kExperiment = R"(<?xml version="1.0"?>
 </ahss-config>
 )";
 
-/// Returns the verdict of the robot when its drive is wired like that.
+/// Returns the verdict of the robot if its drive is wired like that.
 std::string verdictWith(const Miswiring& miswiring) {
   loadBuiltInPlugins();
   Simulation simulation(parseExperiment(kExperiment, "drive.xml", {{"arena.r.controller.source", "remote"}}));
@@ -64,7 +64,7 @@ std::string verdictWith(const Miswiring& miswiring) {
   return std::get<std::string>(metrics.at("r"));
 }
 
-/// @param change what becomes of the speeds of the left and the right wheel over the ground [m/s]
+/// @param change function that changes the speeds of the left and the right wheel over the ground [m/s]
 template <class Change>
 Miswiring wireWheels(Change change) {
   return wire<DifferentialDrive>([change](DifferentialDrive& drive) {
@@ -96,17 +96,17 @@ TEST(ConformanceDriveTest, FindsADriveThatGoesBackwards) {
   expectFailure(wire<DifferentialDrive>([](DifferentialDrive& drive) { drive.speed = -drive.speed; }), kNoWall);
 }
 
-/// It drives on a circle of 0.21 m, of which no part is near the wall.
+/// The robot drives on a circle of 0.21 m, which does not come near the wall.
 TEST(ConformanceDriveTest, FindsALeftWheelThatTurnsTooSlowly) {
   expectFailure(wireWheels([](double& left, double&) { left *= 0.5; }), kNoWall);
 }
 
-/// On a circle to the right it comes to the wall, and does not look at it then.
+/// On a circle to the right the robot reaches the wall, but does not face it.
 TEST(ConformanceDriveTest, FindsARightWheelThatTurnsTooSlowly) {
   expectFailure(wireWheels([](double&, double& right) { right *= 0.5; }), "bearing of the wall ahead: ");
 }
 
-/// From 0.4 m away to 0.13 m, where a footbot reads 0.15, it takes 9 s at 0.03 m/s: as if the way were 0.45 m.
+/// From 0.4 m to 0.13 m, where a footbot reads 0.15, it takes 9 s at 0.03 m/s: as if the distance were 0.45 m.
 TEST(ConformanceDriveTest, FindsADriveThatIsTooSlowThoughItTurnsAsItShould) {
   expectFailure(wire<DifferentialDrive>([](DifferentialDrive& drive) { drive.speed *= 0.6; }), "way to the wall: 0.45");
 }

@@ -1,5 +1,5 @@
-// The conformance test of devices that carry messages: a partner answers. It passes those that are wired rightly, and
-// finds each that is not, by name.
+// The conformance test of communication devices, with a partner that answers: it passes with correct wiring, and
+// detects and names each wrongly wired device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// The partner stands 1.2 m away, ahead on the left of the robot.
+/// The partner stands 1.2 m away, ahead and to the left of the robot.
 constexpr const char* kTalkers = R"(<?xml version="1.0"?>
 <ahss-config>
   <framework><clocktick>100</clocktick><maxclock>1500</maxclock></framework>
@@ -53,7 +53,7 @@ Miswiring wireMessages(Change change) {
   return wireList<Received>(&Received::messages, change);
 }
 
-/// @param change what becomes of each message
+/// @param change function that changes each message
 template <class Received, class Change>
 Miswiring wireEach(Change change) {
   return wireMessages<Received>([change](std::vector<typename Received::Message>& messages) {
@@ -63,7 +63,7 @@ Miswiring wireEach(Change change) {
   });
 }
 
-/// Messages come one tick later.
+/// Messages arrive one tick late.
 template <class Received>
 Miswiring late() {
   using Messages = std::vector<typename Received::Message>;
@@ -71,7 +71,7 @@ Miswiring late() {
       [last = std::make_shared<Messages>()](Messages& messages) { std::swap(messages, *last); });
 }
 
-/// What was heard is heard on and on.
+/// The last received messages repeat for ever.
 template <class Received>
 Miswiring lasting() {
   using Messages = std::vector<typename Received::Message>;
@@ -83,7 +83,7 @@ Miswiring lasting() {
   });
 }
 
-/// It hears itself: an answer is what it said, with each bit turned over.
+/// The robot also receives its own message, which is its answer with all bits inverted.
 template <class Received>
 Miswiring hearingItself() {
   return wireMessages<Received>([](std::vector<typename Received::Message>& messages) {
@@ -96,7 +96,7 @@ Miswiring hearingItself() {
   });
 }
 
-/// The sender does not stop.
+/// The sender never stops.
 template <class Device>
 Miswiring endless() {
   return wire<Device>([last = Device{}](Device& device) mutable {

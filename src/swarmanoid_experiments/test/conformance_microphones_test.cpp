@@ -1,5 +1,5 @@
-// The conformance test of any robot with microphones, where a loudspeaker sounds, finds microphones that are wired
-// wrongly, and says by what it has found it.
+// The conformance test of any robot with microphones, with a sounding loudspeaker: it detects wrongly wired
+// microphones, and names the failed expectation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A footbot by the devices of any robot; 1.7 m away from it, behind on its left, a loudspeaker sounds.
+/// A footbot with the devices of any robot; a loudspeaker sounds 1.7 m away, behind it on its left.
 std::string experimentWith(const std::string& parameters) {
   return R"(<?xml version="1.0"?>
 <ahss-config>
@@ -50,7 +50,7 @@ std::string experimentWith(const std::string& parameters) {
 )";
 }
 
-/// Returns the verdict of the robot with microphones, or a drive, that are wired like that.
+/// Returns the verdict of the robot if its microphones, or its drive, are wired like that.
 std::string verdictWith(const Miswiring& miswiring, const std::string& parameters = "<sound>true</sound>") {
   loadBuiltInPlugins();
   Simulation simulation(
@@ -63,7 +63,7 @@ std::string verdictWith(const Miswiring& miswiring, const std::string& parameter
   return std::get<std::string>(simulation.metrics().at("r"));
 }
 
-/// @param change what becomes of the readings
+/// @param change function that changes the readings
 template <class Change>
 Miswiring wireMicrophones(Change change) {
   return wire<Microphones>([change, kept = std::make_shared<std::vector<Microphone>>()](Microphones& sensor) {

@@ -1,5 +1,5 @@
-// The conformance test of joints, holders, wheels and the antenna for radio tags: it passes those that are wired
-// rightly, and finds each that is not, by name.
+// The conformance test of joints, holders, wheels and the antenna for radio tags: it passes with correct wiring, and
+// detects and names each wrongly wired device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A handbot by the devices of any robot: its left hand meets a board, above is a ceiling for its rope.
+/// A handbot with the devices of any robot: its left hand reaches a board, and there is a ceiling for its rope.
 constexpr const char* kHandbot = R"(<?xml version="1.0"?>
 <ahss-config>
   <framework><clocktick>100</clocktick><maxclock>600</maxclock></framework>
@@ -51,7 +51,7 @@ constexpr const char* kHandbot = R"(<?xml version="1.0"?>
 </ahss-config>
 )";
 
-/// A footbot over a tag, with another one beside it; it is driven by its wheels, or by speed and turn rate.
+/// A footbot over a tag, with another tag beside it; it is driven by its wheels, or by speed and turn rate.
 std::string footbotWith(const std::string& drive, const std::string& sensor) {
   return R"(<?xml version="1.0"?>
 <ahss-config>

@@ -1,5 +1,5 @@
-// The conformance test of sensors that a known world can judge: light, floor, sound, further cameras, the way down. It
-// passes those that are wired rightly, and finds each that is not, by name.
+// The conformance test of sensors that a known world can judge: light, floor, sound, further cameras, distances. It
+// passes with correct wiring, and detects and names each wrongly wired device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A place on a blue floor, with a lamp on the right and a loudspeaker behind; beacon and prey lie 1 m ahead and 0.5 m
-/// to the left.
+/// A blue floor, with a lamp on the right and a loudspeaker behind; beacon and prey are 1 m ahead and 0.5 m to the
+/// left.
 constexpr const char* kFootbot = R"(<?xml version="1.0"?>
 <ahss-config>
   <framework><clocktick>100</clocktick><maxclock>300</maxclock></framework>
@@ -158,7 +158,7 @@ TEST(ConformanceSensesTest, FindsMicrophonesFromTheOtherSide) {
                 "footbot_microphones_hear (footbot_microphones_hear: not true: levels rise towards its bearing, ");
 }
 
-/// @param turn of all that the camera sees [rad]
+/// @param turn of all blobs in the picture [rad]
 template <class Camera>
 Miswiring turned(float turn, float sign) {
   return wire<Camera>([turn, sign, kept = std::make_shared<std::vector<ColorBlob>>()](Camera& camera) {

@@ -1,5 +1,5 @@
-// The conformance test of what a robot only shows, and an observer judges: LEDs in one colour or in a direction, and a
-// loudspeaker. It passes those that are wired rightly, and finds each that is not, by name.
+// The conformance test of devices that a robot only shows to an observer: LEDs in one colour or in a direction, and a
+// loudspeaker. It passes with correct wiring, and detects and names each wrongly wired device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 namespace swarmanoid::test {
 namespace {
 
-/// An observer 1.2 m to the left of a robot. The camera, which has nothing to judge by, is listed so that something is
-/// judged on the robot too: its brightness sensors.
+/// An observer 1.2 m to the left of a robot. The robot also lists brightness sensors, so that its own test has
+/// something to judge.
 std::string showing(const std::string& device, const std::string& sensor, const std::string& parameters) {
   return R"(<?xml version="1.0"?>
 <ahss-config>

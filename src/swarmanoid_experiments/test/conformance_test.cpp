@@ -1,5 +1,5 @@
-// The conformance test passes in every engine that simulates the devices; a device that is wired wrongly fails it, by
-// name.
+// The conformance test passes in every engine that simulates the devices; a wrongly wired device fails it, and is
+// named.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, ConformanceTest, testing::Values("kinematics2d
 
 class PlanarEyebotTest : public testing::TestWithParam<std::string> {};
 
-/// There it has no magnet, and does not move up: the test says so instead of passing over it.
+/// In a plane an eyebot has no magnet, and does not move up: the test reports these as unchecked.
 TEST_P(PlanarEyebotTest, PassesAndNamesWhatIsUnchecked) {
   std::string text = conformanceText();
   replace(text, "<eyebot_magnet/>", "");
@@ -143,12 +143,12 @@ TEST(ConformanceParametersTest, ATestThatCouldCheckNothingHasNotPassed) {
       debugOf(*simulation, "fb", "unchecked_devices"));
 }
 
-/// A device that a driver has got wrong, and the robots and checks that find out.
+/// A device with a wrong driver, and the robots and checks that detect it.
 struct Mistake {
   const char* name;
   const char* robot;
   Miswiring miswiring;
-  Verdicts wrong;  ///< verdicts of those that do not pass
+  Verdicts wrong;  ///< verdicts of the robots that do not pass
 };
 
 std::ostream& operator<<(std::ostream& out, const Mistake& mistake) { return out << mistake.name; }
@@ -167,7 +167,7 @@ TEST_P(MistakeTest, IsFoundAndNamed) {
   EXPECT_EQ(expected, verdictsOf(*simulation));
 }
 
-/// @param change what becomes of each blob
+/// @param change function that changes each blob
 template <class Camera, class Change>
 Miswiring wireCamera(Change change) {
   return wireList<Camera>(&Camera::blobs, [change](std::vector<ColorBlob>& blobs) {

@@ -1,5 +1,5 @@
-// The conformance test of what a robot knows of its way and of its battery: it passes odometry, positioning, encoders
-// and a gauge that are wired rightly, in each engine and however coarse, and finds units that are wrong.
+// The conformance test of odometry, positioning, encoders and the battery gauge: it passes with correct wiring, in each
+// engine and with coarse encoders, and detects wrong units.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,7 +14,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A footbot by the devices of any robot, turned so that its frame is not the world's.
+/// A footbot with the devices of any robot, turned so that its frame differs from the world's.
 constexpr const char* kRobot = R"(<?xml version="1.0"?>
 <ahss-config>
   <framework><clocktick>100</clocktick><maxclock>600</maxclock></framework>
@@ -88,13 +88,13 @@ TEST(ConformanceWheelsTest, FindsEncodersThatAreWrong) {
       },
       "not true: both wheels have turned the way that it drove");
   expect([](WheelEncoders& encoders) { encoders.left.turned *= kDegrees; }, "the left wheel has turned by: ");
-  expect([](WheelEncoders& encoders) { encoders.right.speed *= 60.0 / 6.283185307179586; },  // turns a minute
+  expect([](WheelEncoders& encoders) { encoders.right.speed *= 60.0 / 6.283185307179586; },  // revolutions per minute
          "the right wheel has turned by: ");
 }
 
 TEST(ConformanceWheelsTest, FindsAGaugeInOtherUnits) {
   expectFailure(kRobot, "r", wire<Battery>([](Battery& battery) {
-                  battery.charge /= 3600.0F;  // in watt hours
+                  battery.charge /= 3600.0F;  // in Wh
                   battery.capacity /= 3600.0F;
                 }),
                 "battery_drains (battery_drains: charge that is used: 0.00");

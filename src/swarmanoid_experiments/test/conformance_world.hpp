@@ -1,4 +1,4 @@
-/// What tests of the conformance test share: worlds to test in, verdicts, and lists that are wired wrongly.
+/// Shared by the tests of the conformance test: worlds, verdicts, and wrongly wired devices.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace swarmanoid::test {
 
 constexpr double kDegrees = 57.29577951308232;  // of a radian
 
-/// The experiment file of the suite.
+/// The conformance experiment of the suite.
 inline std::string conformanceText() {
   std::ifstream in(findShared("swarmanoid_experiments", "experiments/conformance.xml"));
   std::ostringstream text;
@@ -28,7 +28,7 @@ inline std::string conformanceText() {
   return text.str();
 }
 
-/// Replaces the first place of a part, which is there.
+/// Replaces the first occurrence of a part. @pre there is one
 inline void replace(std::string& text, const std::string& part, const std::string& by) {
   const auto found = text.find(part);
   ASSERT_NE(std::string::npos, found) << part;
@@ -42,7 +42,7 @@ inline std::unique_ptr<Simulation> start(const std::string& text, const std::vec
   return simulation;
 }
 
-/// What each robot says in the end.
+/// The final verdict of each robot.
 inline std::map<std::string, std::string> fullVerdictsOf(Simulation& simulation) {
   while (!simulation.isFinished()) {
     simulation.tick();
@@ -66,7 +66,7 @@ inline std::string debugOf(const Simulation& simulation, const std::string& robo
   return "";
 }
 
-/// What the test of a robot says whose device is wired like that. @param told robot that says it, or "": that robot
+/// Verdict when a robot's device is wired like that, as reported by the robot named last, by default the same one.
 inline std::string verdictWith(const std::string& text, const std::string& robot, const Miswiring& miswiring,
                                const std::string& told = "") {
   const auto simulation = start(text, {{"arena." + robot + ".controller.source", "remote"}});
@@ -74,14 +74,14 @@ inline std::string verdictWith(const std::string& text, const std::string& robot
   return fullVerdictsOf(*simulation)[told.empty() ? robot : told];
 }
 
-/// @param why how the verdict goes on behind "conformance test failed: "
+/// @param why text of the verdict after "conformance test failed: "
 inline void expectFailure(const std::string& text, const std::string& robot, const Miswiring& miswiring,
                           const std::string& why, const std::string& told = "") {
   const std::string verdict = verdictWith(text, robot, miswiring, told);
   EXPECT_EQ(0U, verdict.find("conformance test failed: " + why)) << verdict;
 }
 
-/// @param list of the device @param change what becomes of it, a vector
+/// @param list of the device @param change function that modifies the list, as a vector
 template <class Device, class Owner, class Element, class Change>
 Miswiring wireList(Span<const Element> Owner::*list, Change change) {
   return wire<Device>([list, change, kept = std::make_shared<std::vector<Element>>()](Device& device) mutable {

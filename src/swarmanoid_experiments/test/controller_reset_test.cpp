@@ -1,4 +1,4 @@
-// A reset forgets everything: in the middle of whatever it does, a controller that is reset goes on like a fresh one.
+// A reset clears all state: a controller that is reset at any time continues like a new one.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -31,7 +31,7 @@ namespace {
 
 constexpr auto kTick = std::chrono::milliseconds(100);
 
-/// A controller whose robot is made of paper: the test says what its sensors read.
+/// A controller with a robot whose readings the test sets.
 class Bench {
  public:
   explicit Bench(const std::string& label) : robot_("robot", "any", 1) {
@@ -79,7 +79,7 @@ class Bench {
       parameters.set("little", "0.9");
     }
     if (label == "footbot_battery_foraging") {
-      parameters.set("little", "0.22");  // with 0.2 of it left it is charged now and then, and forages else
+      parameters.set("little", "0.22");  // with a charge of 0.2 the robot sometimes recharges, and forages otherwise
     }
     if (label == "chain_formation") {
       parameters.set("distance", "0.3");
@@ -89,8 +89,8 @@ class Bench {
     controller_->init(robot_, parameters);
   }
 
-  /// One step with readings that belong to the story and the tick. What is seen and felt lasts for seconds, so that
-  /// every behaviour has the time to be reached.
+  /// One step with readings that depend on the story and the tick. A scene lasts for seconds, so that every behaviour
+  /// is reached.
   void step(std::uint64_t story, std::uint64_t tick) {
     constexpr std::uint64_t kScene = 40;  // ticks
     RandomStream scene(story, "scene", "readings");
@@ -139,13 +139,13 @@ class Bench {
     controller_->step(kEpoch + tick * kTick, kTick);
   }
 
-  /// The rope is as long again as at the begin.
+  /// The rope has its initial length again.
   void reset() {
     controller_->reset();
     rope_state_.length = kRopeLength;
   }
 
-  /// All commands of the robot, as numbers.
+  /// Returns all commands of the robot, as numbers.
   std::vector<double> commands() const {
     std::vector<double> all{wheels_.left,         wheels_.right,          gripper_.closed ? 1.0 : 0.0,
                             velocity_.linear.x(), velocity_.linear.y(),   velocity_.linear.z(),
@@ -183,7 +183,7 @@ class Bench {
  private:
   static constexpr double kRopeLength = 1.0;  // m
 
-  /// The joints of arms and turret stand as commanded, the rope is as long as it was wound.
+  /// The joints of arms and turret are at their commands, and the rope has the length that it was wound to.
   void senseHandsAndWords(RandomStream& scene) {
     wifi_heard_.clear();
     if (scene.uniform() < 0.8) {

@@ -1,4 +1,4 @@
-// Whole runs of diffusion, crowded and not: any number of threads gives the same bits.
+// Whole runs of diffusion, crowded and sparse: any number of threads gives the same bits.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -11,14 +11,14 @@ namespace swarmanoid::test {
 namespace {
 
 struct Crowd {
-  double area;       // a robot, m2
-  int clocktick_ms;  // long ones are ways that robots go in pieces if they look around
+  double area;       // per robot, m2
+  int clocktick_ms;  // with long ticks robots move in several parts when neighbours are near
 };
 
 class CrowdThreadsTest : public testing::TestWithParam<Crowd> {};
 
 std::vector<std::uint64_t> hashesOf(const Crowd& crowd, int threads) {
-  constexpr int kRobots = 2500;  // enough for several ranges in each phase
+  constexpr int kRobots = 2500;  // enough for several ranges of robots in each phase
   loadBuiltInPlugins();
   Experiment experiment = parseExperiment(
       diffusionExperiment(kRobots, crowd.area, "<kinematics2d id='ground'/>", crowd.clocktick_ms), "crowd.xml");

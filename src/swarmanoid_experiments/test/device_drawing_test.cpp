@@ -1,4 +1,4 @@
-// A run whose devices are drawn is the run that it is when nobody looks, bit for bit.
+// Drawing the devices of a run does not change the run, bit for bit.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_interface/plugin_library.hpp"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pages of docs/reference/devices/ say what the code says of the suite's devices, and by which law each works."""
+"""The pages of docs/reference/devices/ contain what the code says of the suite's devices, and the law of each device."""
 
 import pathlib
 import shutil
@@ -10,7 +10,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "scripts"))
-import device_pages  # noqa: E402 (the line above finds it)
+import device_pages  # from the line above
 
 WHISTLE = "# whistle\n\nActuator. Makes a noise.\n\n- Robot: any\n- Struct: `Whistle` of `my_robots/whistle.hpp`\n"
 COMMAND = "make pages"
@@ -27,7 +27,7 @@ class PagesOfTheSuiteTest(unittest.TestCase):
 
 
 class WriterTest(unittest.TestCase):
-    """With one device, that is in no suite."""
+    """Tests with one device that is not in the suite."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

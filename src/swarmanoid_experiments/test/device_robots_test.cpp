@@ -1,4 +1,4 @@
-// Headers and simulations agree on what each device of the suite is, and on which robot.
+// Headers and simulations agree on the kind of each device of the suite, and on its robot.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
-// <distribute> in boxes, discs, rings and lines, also around an entity: places are where the area is, and all of it is
-// as likely. What is placed is in no engine, so that places are not drawn again.
+// <distribute> in boxes, discs, rings and lines, also around an entity: positions are inside the area and uniformly
+// distributed. The distributed entities are in no engine, so that no position is drawn again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// @param more entities before the lamps @param attributes of <distribute> @param values in it
+/// @param more entities before the lamps @param attributes of <distribute> @param values inside it
 std::unique_ptr<Simulation> start(const std::string& more, const std::string& attributes, const std::string& values,
                                   std::uint64_t seed = 1) {
   loadBuiltInPlugins();
@@ -45,8 +45,8 @@ std::string refusal(const std::string& attributes, const std::string& values) {
   return "";
 }
 
-/// By the statistic of Kolmogorov and Smirnov: values that are not uniform in [0, 1] fail, one seed in a thousand of
-/// those that are, too.
+/// Kolmogorov-Smirnov test: values that are not uniform in [0, 1] fail, and so does one seed in a thousand with uniform
+/// ones.
 void expectUniform(std::vector<double> values, const std::string& what) {
   std::sort(values.begin(), values.end());
   const auto count = static_cast<double>(values.size());
@@ -61,7 +61,7 @@ void expectUniform(std::vector<double> values, const std::string& what) {
 constexpr const char* kDisc = "<center>6,7,0.5</center><radius>3</radius>";
 constexpr const char* kRing = "<center>6,7,0.5</center><radius>3</radius><inner_radius>2</inner_radius>";
 
-/// Up to a thousand are placed one after the other, more of them along a curve.
+/// Up to a thousand are placed one after the other, larger groups along a curve.
 TEST(DistributeAreasTest, DiscsAndRingsAreEvenlyFilled) {
   for (const int quantity : {900, 3000}) {
     for (const bool is_ring : {false, true}) {
@@ -117,7 +117,7 @@ TEST(DistributeAreasTest, GridsStandAtEvenDistances) {
             Eigen::Vector3d(3.5, 7.0, 0.5));
 }
 
-/// x and y count from the entity's origin, z from the ground.
+/// x and y are relative to the entity's origin, z to the ground.
 TEST(DistributeAreasTest, AnyAreaMayBeAroundAnEntityThatStandsBefore) {
   const std::string sun = "<light id=\"sun\"><position>12,3,2</position><orientation>0,0,0</orientation></light>";
   const std::string even = "quantity=\"4\" layout=\"grid\"";
@@ -184,7 +184,7 @@ TEST(DistributeAreasTest, WhatDoesNotSuitTheAreaIsRefused) {
             refusal(disc, "<around>lamp_1</around><radius>1</radius>").find("areas.xml:2: around: found 'lamp_1', "));
 }
 
-/// Lamps may stand outside of the arena, robots may not.
+/// Lamps may stand outside the arena, robots may not.
 TEST(DistributeAreasTest, AreasOfWhatMovesAreInTheArena) {
   const auto refusalOfRobots = [](const std::string& attributes, const std::string& values) -> std::string {
     World world;

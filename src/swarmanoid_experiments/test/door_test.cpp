@@ -1,5 +1,5 @@
-// What comes into the space by service or from code is held to what the file is held to, in the same words; and what
-// breaks in an engine goes no farther.
+// Entities from services or code are checked like those of the file, with the same messages; and an engine's failure
+// has no further effects.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -163,7 +163,7 @@ TEST(DoorTest, ANameIsOneInCodeToo) {
             "a test: name: found 'x/../y', allowed: letters, digits and _, a letter first");
 }
 
-/// Computes a pose that is not finite, in its third tick.
+/// Computes a pose that is not finite in its third tick.
 class BrokenEngine final : public test::GlideEngine {
  public:
   static PluginDescription describe() {
@@ -196,7 +196,7 @@ TEST(FinitePosesTest, AnEngineThatBreaksDownStopsTheRun) {
 TEST(LimitsTest, ARunIsNoLongerThanItsClockCanCount) {
   loadBuiltInPlugins();
   Experiment experiment = parseExperiment(fileWith("kinematics2d"), "world.xml");
-  experiment.framework.max_clock = 31536000000;  // of 100 ms
+  experiment.framework.max_clock = 31536000000;  // of 100 ms each
   { const Simulation simulation(experiment); }
   ++experiment.framework.max_clock;
   EXPECT_EQ(messageOf([&] { const Simulation simulation(experiment); }),

@@ -1,6 +1,6 @@
-// The installed experiment `emergent_taxis`: a swarm of which nobody knows where the light is comes to it, the slower
-// the more of its robots have motors that failed (Bjerknes and Winfield 2010: they anchor it), and does not where
-// robots keep the same distance in light and shadow, or where there is no light.
+// The installed experiment `emergent_taxis`: a swarm without direction sensors moves to the light, the slower the more
+// of its robots have failed motors (Bjerknes and Winfield 2010: they anchor it). It does not if robots keep the same
+// distance in light and shadow, or without a light.
 #include <gtest/gtest.h>
 
 #include "installed_experiment.hpp"
@@ -9,12 +9,12 @@
 namespace swarmanoid::test {
 namespace {
 
-// All bounds of this test; ./test --long has twenty seeds and one value more.
+// Limits of this test; ./test --long uses twenty seeds and one value more.
 constexpr std::uint64_t kSeeds = 2;
-constexpr double kTrend = -0.6;  // Kendall's tau of the way to the light over the failures is less
-constexpr double kPart = 0.5;    // of the way at the most, without what makes the swarm go there
+constexpr double kTrend = -0.6;  // maximum of Kendall's tau of the progress over the number of failures
+constexpr double kPart = 0.5;    // maximum fraction of that progress without the mechanism
 
-/// @return by how much the swarm has come nearer to the light [m]
+/// @return progress of the swarm towards the light [m]
 double progress(std::uint64_t seed, int failures, const std::vector<std::string>& overrides = {}) {
   const auto simulation = installed("emergent_taxis", seed, overrides);
   ErrorModelDescription dead;

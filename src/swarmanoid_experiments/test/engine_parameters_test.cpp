@@ -1,4 +1,4 @@
-// Parameters of engines that change while an experiment runs: from the next tick on, or not at all, and until a reset.
+// Engine parameters that change during a run: from the next tick on, or not at all, and until a reset.
 #include <gtest/gtest.h>
 
 #include "handover_world.hpp"
@@ -6,7 +6,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A block that falls in dynamics3d, a footbot that drives on in dynamics2d, one more in kinematics2d.
+/// A falling block in dynamics3d, a driving footbot in dynamics2d, and another one in kinematics2d.
 World threeEngines() {
   World world;
   world.drive = "<left>5</left><right>5</right>";
@@ -62,7 +62,7 @@ TEST(EngineParametersTest, TreelsWithoutFrictionDriveAgainOnceTheyHaveIt) {
 TEST(EngineParametersTest, WhatSlidesInThePlaneTakesTheNewFriction) {
   const auto slideAfter = [](const std::string& friction) {
     World world = threeEngines();
-    world.entities += prey("prey", 2.18, 2);  // right before the driver, who pushes it
+    world.entities += prey("prey", 2.18, 2);  // right in front of the driver, which pushes it
     world.physics =
         "<engine id='flat'><entity id='driver'/><entity id='prey'/></engine>"
         "<engine id='deep'><entity id='falling'/></engine>";
@@ -105,7 +105,7 @@ TEST(EngineParametersTest, FactorsAreZeroOrLargeEnoughToBeMultiplied) {
   world.physics = "<engine id='deep'><entity id='falling'/><entity id='driver'/></engine>";
   const auto simulation = started(world);
   for (const auto& [name, least] : factors) {
-    for (const char* const value : {"5e-324", "1e-310", "9.99e-10"}) {  // an assertion of ODE at treel_friction 1e-310
+    for (const char* const value : {"5e-324", "1e-310", "9.99e-10"}) {  // treel_friction 1e-310: assertion of ODE
       const std::string message = messageOf(*simulation, "deep", {{name, value}});
       EXPECT_EQ(message.rfind(name + ": found '" + value + "', allowed: a number from 0 to ", 0), 0U) << message;
       EXPECT_NE(message.find(" (0, or at least 1e-09)"), std::string::npos) << message;

@@ -1,4 +1,4 @@
-// The object retrieval experiment with its footbots and preys in each engine that can hold them: nothing else changes.
+// The object retrieval experiment with its footbots and preys in each engine that supports them; the rest is unchanged.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ TEST_P(EnginesTest, TheSameSeedGivesTheSameBits) {
 TEST_P(EnginesTest, AResetIsAFreshStart) {
   const auto expected = hashesOf(*start(6), 6000);
   auto used = start(6);
-  hashesOf(*used, expected.size() - 100);  // a prey is carried by then
+  hashesOf(*used, expected.size() - 100);  // a prey is being carried by then
   used->reset();
   EXPECT_EQ(hashesOf(*used, 6000), expected);
 }

@@ -1,4 +1,4 @@
-// <error> in whole experiments: from the file to what controllers read and robots do.
+// <error> in whole experiments: from the file to the readings of controllers and the motion of robots.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
@@ -46,7 +46,7 @@ World crowd(int threads) {
   return world;
 }
 
-/// Of the next ticks: the hash of the state holds no readings, the deep one does.
+/// Hashes of the next ticks: the state hash does not cover readings, the deep one does.
 struct RunHashes {
   std::vector<std::uint64_t> state;
   std::vector<std::uint64_t> deep;

@@ -1,5 +1,5 @@
-// The rule `exchange`: batteries are swapped while the super-capacitor keeps a footbot alive, and no energy is lost. A
-// footbot of these tests draws 3.74 W at rest, and 0.7733 W more at 2 rad/s.
+// The rule `exchange`: batteries are swapped while the super-capacitor powers the footbot, and energy is conserved. A
+// footbot in these tests draws 3.74 W at rest, and 0.7733 W more at 2 rad/s.
 #include <gtest/gtest.h>
 
 #include "test_world.hpp"
@@ -49,7 +49,7 @@ double metricOf(const Simulation& simulation, const std::string& name) {
   return std::get<double>(simulation.metrics().at("exchange." + name));
 }
 
-/// All that is in batteries and capacitors, and what was used of it, less what came in [J].
+/// Energy in batteries and capacitors, plus the used and minus the supplied energy [J].
 double balance(const Simulation& simulation) {
   const Space& space = simulation.space();
   double sum = metricOf(simulation, "drained") - metricOf(simulation, "supplied");
@@ -111,7 +111,7 @@ TEST(ExchangeTest, WaitsForABatteryThatIsChargedEnough) {
                                    "<interval>0.4</interval>", kStill, 1});
   tick(*simulation, 20);
   EXPECT_EQ(metricOf(*simulation, "swapping"), 0.0);
-  // 180 J and 2 J each 0.4 s: 190 J, 0.95 of 200, at the fifth time
+  // 180 J plus 2 J per 0.4 s: 190 J, 0.95 of 200, after five times
   tick(*simulation, 2);
   EXPECT_EQ(metricOf(*simulation, "swapping"), 1.0);
 }
@@ -123,7 +123,7 @@ TEST(ExchangeTest, TheStationChargesTheFullestFirst) {
                                    "<interval>0.3</interval>", kStill, 1});
   simulation->apply(SetProperty{"station", "battery_2", "185"});
   simulation->apply(SetProperty{"station", "battery_3", "120"});
-  tick(*simulation, 4);  // 30 J before the tick 3
+  tick(*simulation, 4);  // 30 J before tick 3
   EXPECT_NEAR(of(*simulation, "station", "battery_2"), 200.0, 1e-9);
   EXPECT_NEAR(of(*simulation, "station", "battery_3"), 135.0, 1e-9);
   EXPECT_EQ(of(*simulation, "station", "battery_1"), 100.0);

@@ -1,5 +1,5 @@
-// The listings of the reference page of experiment files, and those of the thesis, can be used as they stand, and no
-// name is missing on the page.
+// The listings in the reference page of experiment files, and those of the thesis, are valid, and the page contains all
+// names.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,10 +24,10 @@ std::string textOf(const std::filesystem::path& path) {
 
 std::string page() { return textOf(PAGE); }
 
-/// Where each arena object has a page.
+/// Folder with a page for each arena object.
 std::filesystem::path arenaObjectPages() { return std::filesystem::path(PAGE).parent_path() / "arena_objects"; }
 
-/// The entity types that are no robots.
+/// The entity types other than robots.
 std::vector<const Registry::Entry*> arenaObjects() {
   std::vector<const Registry::Entry*> objects = Registry::instance().all(PluginKind::kEntity);
   const auto is_robot = [](const Registry::Entry* entry) { return makePlugin<EntityType>(*entry)->isRobot(); };
@@ -35,7 +35,7 @@ std::vector<const Registry::Entry*> arenaObjects() {
   return objects;
 }
 
-/// With its defaults, and something good for what must be given.
+/// Model with the default parameters, and valid values for the required ones.
 std::shared_ptr<const EntityModel> someModel(const Registry::Entry& entry) {
   Configuration parameters(entry.description.label, "", {});
   for (const Parameter& parameter : entry.description.parameters) {
@@ -45,7 +45,7 @@ std::shared_ptr<const EntityModel> someModel(const Registry::Entry& entry) {
   return makePlugin<EntityType>(entry)->makeModel(parameters);
 }
 
-/// The row of a table that begins with a name, in a section of a page; "" if there is none.
+/// The table row that starts with a name, in a section of a page; "" if there is none.
 std::string rowOf(const std::string& text, const std::string& section, const std::string& name) {
   const std::size_t begin = text.find("\n## " + section + "\n");
   const std::string part = begin == std::string::npos ? "" : text.substr(begin, text.find("\n## ", begin + 1) - begin);
@@ -89,7 +89,7 @@ TEST(ExperimentPageTest, NamesAllThatTheSuiteBrings) {
        {PluginKind::kSensor, PluginKind::kActuator, PluginKind::kEngine, PluginKind::kObserver}) {
     for (const Registry::Entry* entry : Registry::instance().all(kind)) {
       if (Registry::instance().find(kind, entry->description.label) != entry) {
-        continue;  // a device's implementation that is not the default: `swarmanoid list` names it
+        continue;  // a device's implementation other than the default: `swarmanoid list` shows it
       }
       for (const std::string& alias : entry->description.label_aliases) {
         expect_name(alias);
@@ -99,7 +99,7 @@ TEST(ExperimentPageTest, NamesAllThatTheSuiteBrings) {
       }
     }
   }
-  // devices and arena objects have pages of their own for the rest
+  // devices and arena objects have their own pages for the rest
   for (const PluginKind kind : {PluginKind::kEngine, PluginKind::kObserver}) {
     for (const Registry::Entry* entry : Registry::instance().all(kind)) {
       expect_name(entry->description.label);

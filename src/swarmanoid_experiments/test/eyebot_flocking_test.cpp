@@ -1,5 +1,5 @@
-// The installed experiment `eyebot_flocking`: four eyebots are a regular tetrahedron whose edges are the distance of
-// the force, which only a flock in three dimensions can be; twelve fly on together, in one direction, and never touch.
+// The installed experiment `eyebot_flocking`: four eyebots form a regular tetrahedron whose edges have the equilibrium
+// distance of the force, which requires three dimensions; twelve fly together in one direction, without collisions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr double kDistance = 1.5;  // m, of the experiment
+constexpr double kDistance = 1.5;  // m, as in the experiment
 
 std::vector<Eigen::Vector3d> places(const Simulation& simulation, int count) {
   std::vector<Eigen::Vector3d> found;
@@ -22,7 +22,7 @@ std::vector<Eigen::Vector3d> places(const Simulation& simulation, int count) {
   return found;
 }
 
-/// Of each place the distance to the nearest other one [m].
+/// The distance from each position to the nearest other one [m].
 std::vector<double> nearestDistances(const std::vector<Eigen::Vector3d>& places) {
   std::vector<double> nearest(places.size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -61,14 +61,14 @@ TEST(EyebotFlockingTest, TwelveFlyInOneDirectionStayTogetherAndDoNotTouch) {
     EXPECT_GT(metricOf(*simulation, "flock.mean_order"), 0.98);
     EXPECT_EQ(metricOf(*simulation, "contacts.collisions"), 0.0);
     EXPECT_EQ(metricOf(*simulation, "clusters.number"), 1.0);
-    // at 0.3 m/s with the noise of the compass, 0.05 rad, there and in what each says
+    // at 0.3 m/s with the compass noise of 0.05 rad, in each one's own heading and in the messages
     EXPECT_NEAR(metricOf(*simulation, "flock.speed"), 0.3, 0.01);
     const std::vector<Eigen::Vector3d> eyebots = places(*simulation, 12);
     const auto [low, high] = std::minmax_element(eyebots.begin(), eyebots.end(),
                                                  [](const auto& one, const auto& two) { return one.z() < two.z(); });
     EXPECT_GT(high->z() - low->z(), kDistance) << "it has more than one layer";
     EXPECT_GT(low->z(), 2.0) << "the lowest height that they want";
-    // nearer than four are, since neighbours of neighbours attract too
+    // closer than in a group of four, because second neighbours attract too
     const std::vector<double> nearest = nearestDistances(eyebots);
     EXPECT_GT(*std::min_element(nearest.begin(), nearest.end()), 0.7 * kDistance);
     EXPECT_NEAR(std::accumulate(nearest.begin(), nearest.end(), 0.0) / 12.0, 0.9 * kDistance, 0.05 * kDistance);
@@ -76,7 +76,7 @@ TEST(EyebotFlockingTest, TwelveFlyInOneDirectionStayTogetherAndDoNotTouch) {
 }
 
 TEST(EyebotFlockingTest, WithoutAlignmentThereIsNoFlock) {
-  // of twelve headings by chance the order is sqrt(pi / (4 12)) = 0.26 in the mean, and over 0.6 in one of 75
+  // the mean order of twelve random headings is sqrt(pi / (4 12)) = 0.26, and one sample of 75 is over 0.6
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto simulation = installed("eyebot_flocking", seed, {"controllers.ec.parameters.alignment=false"});
     finish(*simulation);

@@ -1,5 +1,5 @@
-// A controller for tests of the program: drives straight on, throws in one tick and logs in all of them if it is told
-// to.
+// A controller for tests of the program: drives straight on; parameters make it throw in one tick and log in all of
+// them.
 #include <stdexcept>
 #include <string>
 
@@ -24,7 +24,7 @@ class FailingController final : public Controller {
       robot_->log("tick " + std::to_string(tick_));
     }
     if (tick_++ == fail_at_) {
-      throw std::runtime_error("told to, \xff");  // no valid UTF-8, as texts from outside may be
+      throw std::runtime_error("told to, \xff");  // no valid UTF-8, as external texts may be
     }
   }
 

@@ -1,4 +1,4 @@
-// Faults as interventions: events, refusals, what keeps and what ends them, and that they can be had again.
+// Faults as interventions: events, rejections, persistence and end, and reproducibility.
 #include <gtest/gtest.h>
 
 #include "faulty_run.hpp"

@@ -1,4 +1,4 @@
-// Faults: what goes wrong with a device of one robot from a tick on, and is mended again.
+// Faults of a device of one robot, which start and end at given ticks.
 #include <gtest/gtest.h>
 
 #include "faulty_run.hpp"

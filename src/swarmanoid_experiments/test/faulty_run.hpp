@@ -1,4 +1,4 @@
-/// Two robots of which one has faults, for tests.
+/// Two robots, one of which gets faults, for tests.
 #pragma once
 
 #include <map>
@@ -27,7 +27,7 @@ inline ErrorModelDescription error(const std::string& kind, const std::string& f
   return result;
 }
 
-/// Two robots far from each other, and a prey 18 cm ahead of the first.
+/// Two robots far apart, and a prey 18 cm ahead of the first one.
 inline World twoRobots(const std::string& speed = "0") {
   World world;
   world.entities = footbot("fb_1", 3.0, 5.0, 0.0) + footbot("fb_2", 7.0, 5.0, 0.0) +
@@ -38,7 +38,7 @@ inline World twoRobots(const std::string& speed = "0") {
   return world;
 }
 
-/// The same world with elements in its proximity sensor.
+/// The same world with child elements in its proximity sensor.
 inline std::unique_ptr<Simulation> withErrors(const std::string& elements) {
   loadBuiltInPlugins();
   std::string text = twoRobots().xml();
@@ -60,7 +60,7 @@ class FaultyRun {
       simulation->tick();
     }
   }
-  /// Of the proximity sensor, after one more tick.
+  /// Reading of the proximity sensor after one more tick.
   float next(const std::string& robot, std::size_t sensor) {
     tick();
     return reading(robot, sensor);

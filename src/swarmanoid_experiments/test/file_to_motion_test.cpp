@@ -1,5 +1,5 @@
-// From the text of an experiment file to metres: parser, URDF, controller, wheels and engine together. What the engine
-// alone promises is in swarmanoid_engines/test/motion_test.cpp.
+// From the text of an experiment file to a motion in metres: parser, URDF, controller, wheels and engine together.
+// Properties of the engine alone are tested in swarmanoid_engines/test/motion_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ World lineWorld(double left, double right, int subclock) {
 class SubclockTest : public testing::TestWithParam<int> {};
 
 TEST_P(SubclockTest, TenSecondsAtATenthMetrePerSecondAreOneMetre) {
-  // std::to_string keeps six digits, so the speed is what the text says
+  // std::to_string keeps six digits, so the speed is the one in the text
   const double wheel = std::stod(std::to_string(0.1 / kWheelRadius));
   auto simulation = lineWorld(wheel, wheel, GetParam()).make();
   simulation->start();

@@ -1,5 +1,5 @@
-// The installed experiment `flocking`: what one robot makes of what it hears, by hand; and the figure of the papers,
-// that the order of the flock falls as the noise of headings grows.
+// The installed experiment `flocking`: reactions of one robot to messages, computed by hand; and the papers' result
+// that the order of the flock falls with the noise of headings.
 #include <gtest/gtest.h>
 
 #include "installed_experiment.hpp"
@@ -9,7 +9,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A footbot of a flock, and a lamp.
+/// A footbot of a flock, with a lamp.
 class OneRobot : public OneFootbot {
  public:
   explicit OneRobot(const char* alignment = "true")
@@ -26,7 +26,7 @@ class OneRobot : public OneFootbot {
 };
 
 TEST(FlockingControllerTest, TurnsToTheMeanOfTheHeadingsOfItsNeighbours) {
-  // headings are those against the lamp: 0.4 and 1.6, and its own is -0.3; at the wanted distance there is no force
+  // headings relative to the lamp: 0.4 and 1.6, and its own is -0.3; at the equilibrium distance the force is zero
   OneRobot one, two, robot;
   one.stepWithLamp(-0.4);
   two.stepWithLamp(-1.6);
@@ -41,14 +41,14 @@ TEST(FlockingControllerTest, GoesRoundAsAnglesDo) {
   OneRobot one, robot;
   one.stepWithLamp(-3.0);  // its heading is 3
   robot.hearRobot(one, 0.6, 0.0);
-  robot.stepWithLamp(3.1);  // and that of this one -3.1
+  robot.stepWithLamp(3.1);  // and that of this robot is -3.1
   EXPECT_NEAR(robot.wheels.turnRate(), 6.1 - 2.0 * M_PI, 1e-4);
 }
 
 TEST(FlockingControllerTest, ComesNearerToWhoIsFarAndLeavesWhoIsNear) {
   OneRobot other, far, near;
   other.stepWithLamp(0.0);
-  // s = 0.6 / 0.9: the force s^3 (1 - s^2) / 0.1859 is 0.8855 to the left, beside the heading ahead
+  // s = 0.6 / 0.9: the force s^3 (1 - s^2) / 0.1859 is 0.8855 to the left, in addition to the heading ahead
   far.hearRobot(other, 0.9, 0.5 * M_PI);
   far.stepWithLamp(0.0);
   EXPECT_NEAR(far.wheels.turnRate(), std::atan(0.7 * 0.8855), 1e-4);
@@ -82,7 +82,7 @@ double meanOrder(std::uint64_t seed, const std::string& override) {
 const std::string kNoise = "controllers.fc.sensors.footbot_camera.heading_noise.half_width=";
 
 TEST(FlockingExperimentTest, TheOrderFallsWithTheNoiseOfHeadings) {
-  // a single flock with much noise may have as little order as one without headings: so their means are compared
+  // a single noisy flock may have as little order as one without alignment, so means are compared
   constexpr int kSeeds = 4;
   double noisy = 0.0;
   double random = 0.0;

@@ -1,4 +1,4 @@
-// Batteries of eyebots: what flying draws, who lands when his battery is empty, and who is charged under the ceiling.
+// Batteries of eyebots: power of flight, landing with an empty battery, and charging under the ceiling.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_interface/controller.hpp"
@@ -9,7 +9,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Rises at a speed until its magnet holds on to something; then its rotors rest.
+/// Rises at a speed until its magnet attaches; then its rotors stop.
 class TestFlyer final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
@@ -30,7 +30,7 @@ class TestFlyer final : public Controller {
   double up_ = 0.0;
 };
 
-// 2 kg, four discs of 0.092 m, half of the power lost: sqrt(19.62^3 / (2 * 1.225 * 0.1063616)) / 0.5
+// 2 kg, four discs of 0.092 m, efficiency 0.5: sqrt(19.62^3 / (2 * 1.225 * 0.1063616)) / 0.5
 constexpr double kFlight = 340.4887;  // W
 constexpr double kStandby = 4.0;      // W
 
@@ -88,13 +88,13 @@ TEST(FlyingBatteryTest, AnEyebotWhoseBatteryIsEmptyLands) {
   tick(*simulation, 1);
   EXPECT_TRUE(stateOf(*simulation).is_empty);
   EXPECT_NEAR(poseOf(*simulation, "eb").position.z(), 1.0, 0.05);
-  tick(*simulation, 700);  // it hovers for 2 s, and comes down by 0.3 m/s
+  tick(*simulation, 700);  // it hovers for 2 s, and descends at 0.3 m/s
   EXPECT_NEAR(poseOf(*simulation, "eb").position.z(), 0.0, 0.02);
   EXPECT_NEAR(stateOf(*simulation).used, 400.0, 1e-9);
 }
 
 TEST(FlyingBatteryTest, OneThatIsHighUpLandsToo) {
-  // a safe stop alone would bring it down by 2.4 m, beside the perch at 2.5 m
+  // a safe stop alone would lower it by 2.4 m, beside the perch at 2.5 m
   const auto simulation = started(4.0, 0.0, 400.0, 1.0);
   simulation->apply(DeleteEntity{"perch"});
   tick(*simulation, 117);

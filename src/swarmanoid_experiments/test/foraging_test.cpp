@@ -1,5 +1,5 @@
-// The rule `foraging` with engines and robots: a prey that comes back leaves its gripper, and waits for a free place;
-// and the installed experiment, in which footbots forage.
+// The rule `foraging` with engines and robots: a prey that returns leaves its gripper, and waits for a free place; and
+// the installed experiment with foraging footbots.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,7 +16,7 @@ double metricOf(const Simulation& simulation, const std::string& name) {
 
 class ForagingEnginesTest : public testing::TestWithParam<const char*> {
  protected:
-  /// A prey, the nest from x = 3.5 on, and the place (8, 8), where preys come back.
+  /// A prey, the nest at x > 3.5, and the place (8, 8), where preys return.
   static std::unique_ptr<Simulation> make(const std::string& entities, const std::string& members) {
     World world;
     world.entities = entities +
@@ -88,7 +88,7 @@ TEST_P(ForagingEnginesTest, ItWaitsForAFreePlaceAndCountsOnce) {
 INSTANTIATE_TEST_SUITE_P(Engines, ForagingEnginesTest, testing::Values("kinematics2d", "dynamics2d", "dynamics3d"),
                          [](const auto& engine) { return std::string(engine.param); });
 
-/// The installed experiment. @param gripper the element of the actuator
+/// The installed experiment. @param gripper element of the actuator
 std::unique_ptr<Simulation> foraging(std::uint64_t seed, int threads = 1,
                                      const std::string& gripper = "<footbot_gripper/>") {
   loadBuiltInPlugins();
@@ -104,7 +104,7 @@ std::unique_ptr<Simulation> foraging(std::uint64_t seed, int threads = 1,
   return simulation;
 }
 
-/// @return at the end of the run
+/// Runs to the end. @return preys per minute
 double preysPerMinute(Simulation& simulation) {
   while (!simulation.isFinished()) {
     simulation.tick();

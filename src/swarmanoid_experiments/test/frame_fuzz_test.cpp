@@ -1,5 +1,5 @@
-// Command frames that nobody should send: whatever is in them, the space goes on, and a robot either gets commands or
-// stops with a reason. Likewise sensor frames, on the side of who runs controllers.
+// Malformed command frames: whatever their content, the space continues, and a robot either gets commands or stops with
+// a reason. The same holds for malformed sensor frames at a controller host.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,7 +10,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// How many frames; FUZZED_FRAMES says otherwise.
+/// Number of frames; the variable FUZZED_FRAMES replaces it.
 int frameCount() {
   const char* wished = std::getenv("FUZZED_FRAMES");
   return wished != nullptr ? std::atoi(wished) : 300;
@@ -43,11 +43,11 @@ class Mutator {
       case 1:  // too long
         data.insert(data.end(), static_cast<std::size_t>(1 + below(40)), byte());
         break;
-      case 2:  // a hole
+      case 2:  // removed bytes
         data.erase(data.begin() + at,
                    data.begin() + std::min<std::ptrdiff_t>(at + 1 + below(8), std::ptrdiff_t(data.size())));
         break;
-      case 3:  // something more
+      case 3:  // inserted bytes
         data.insert(data.begin() + at, static_cast<std::size_t>(1 + below(8)), byte());
         break;
       case 4:  // a length or a number that is as large as can be

@@ -1,4 +1,4 @@
-// Nobody stays frozen: in diffusion whoever meets a wall or another robot comes free again.
+// No robot stays stuck: in diffusion every robot gets away again from walls and other robots.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kLeastAdvance = 0.01;  // m
 constexpr double kLeastTurn = 0.17453;  // rad, 10 degrees
-constexpr int kPatience = 1000;         // ticks of 0.1 s, in which a robot that is not frozen moves by one of them
+constexpr int kPatience = 1000;         // ticks of 0.1 s, in which a robot that is not stuck moves by one of these
 
 /// Speed [m/s], subclock.
 class FreeAgainTest : public testing::TestWithParam<std::tuple<double, int>> {};
 
 std::unique_ptr<Simulation> diffusion(double speed, int subclock, std::uint64_t seed) {
   loadBuiltInPlugins();
-  constexpr double kSide = 17.9;  // m: 200 footbots, one on each 1.6 square metres
+  constexpr double kSide = 17.9;  // m: 200 footbots, one per 1.6 square metres
   const std::string side = std::to_string(kSide);
   const std::string most = std::to_string(kSide - 0.2);
   std::string xml = R"(<ahss-config><framework><clocktick>100</clocktick><maxclock>1000000</maxclock><random_seed>)" +
@@ -44,7 +44,7 @@ std::unique_ptr<Simulation> diffusion(double speed, int subclock, std::uint64_t 
   return simulation;
 }
 
-/// A robot and all that are near it, with their headings: what is needed to put the case into a small world.
+/// Positions and headings of a robot and its neighbours: the data to reproduce the case in a small world.
 std::string surroundings(const Entities& entities, Row row) {
   constexpr double kNear = 0.4;  // m
   std::ostringstream text;
@@ -59,7 +59,7 @@ std::string surroundings(const Entities& entities, Row row) {
 }
 
 struct Watched {
-  Pose last;      // when it had last moved
+  Pose last;      // at the last motion
   int since = 0;  // ticks
 };
 

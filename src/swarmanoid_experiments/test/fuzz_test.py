@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Some hundreds of inputs that nobody would write, and what the program makes of them: see ../fuzz."""
+"""Some hundreds of unusual inputs, and the program's reaction to them: see ../fuzz."""
 
 import os
 import pathlib
@@ -14,7 +14,7 @@ REFUSED = "fuzz: refused as root"
 
 class FuzzTest(unittest.TestCase):
     def fuzz(self, subject, cases):
-        """@return how often each exit code came"""
+        """@return count of each exit code"""
         done = subprocess.run([sys.executable, FUZZ, subject, "--cases", str(cases)], text=True, check=False,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         if done.stderr.startswith(REFUSED):

@@ -1,5 +1,5 @@
-/// An engine for tests of handover: what it is given glides on with the twist that it came with. It is so narrow that
-/// everything is in everybody's way. It knows nothing of wheels, unless told to take robots with wheels too.
+/// An engine for tests of handover: its entities continue with the twist at which they were added, and any two of them
+/// overlap. It rejects robots with wheels unless `takes_wheels` is set.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Controllers that step all robots of a configuration by one call.
+// Controllers that step all robots of a configuration in one call.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTick = 0.1;  // s
 
-/// Drives robot after robot faster by its place among those that are stepped, and notes whom it steps.
+/// Drives each robot faster with its place in the order of stepping, and records the stepped robots.
 class Convoy final : public GroupController {
  public:
   void init(const Configuration& parameters) override {
@@ -60,7 +60,7 @@ class Convoy final : public GroupController {
 
 using Names = std::vector<std::string>;
 
-/// Three footbots in a row, of which `a` and `c` are in the group.
+/// Three footbots in a row; `a` and `c` are in the group.
 class GroupControllerTest : public testing::Test {
  protected:
   GroupControllerTest() {
@@ -86,7 +86,7 @@ class GroupControllerTest : public testing::Test {
     simulation_->start();
     return *simulation_;
   }
-  /// How far a robot is from where it was, as a speed of the wheels for one tick [rad/s].
+  /// Displacement of a robot from its start, as a speed of the wheels for one tick [rad/s].
   double driven(const std::string& robot) const {
     return (poseOf(*simulation_, robot).position.x() - 1.0) / (FootbotWheels::kRadius * kTick);
   }
@@ -205,7 +205,7 @@ TEST_F(GroupControllerTest, BeginsAnewWithEachReset) {
   EXPECT_EQ(first, hashesOf(simulation, 4));
 }
 
-/// What somebody outside sees and does, a controller would: the bits are those of ticks that sense by themselves.
+/// External code may read the sensors before a tick: the bits equal those of a tick that reads them itself.
 TEST_F(GroupControllerTest, SensingBeforeATickChangesNothingInIt) {
   Simulation& simulation = start();
   const std::vector<std::uint64_t> alone = hashesOf(simulation, 5);

@@ -1,4 +1,4 @@
-// A footbot that grips a prey and is carried, at speed, through all engines that can hold both.
+// A footbot that grips a prey is handed over, in motion, through all engines that support both.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::array<const char*, 3> kEngines = {"ground", "forces", "space"};
 
-/// Each engine in one world; the footbot grips the prey in the first ticks and drives an arc.
-/// @param place of the footbot, along x and along y [m]; @param drive the controller's parameters
+/// All engines in one world; the footbot grips the prey in the first ticks and drives an arc.
+/// @param place of the footbot, along x and along y [m]; @param drive parameters of the controller
 std::unique_ptr<Simulation> worldOfThreeEngines(double place = 5.0,
                                                 const std::string& drive = "<left>2</left><right>3</right>") {
   World world = carrierWorld();
@@ -33,7 +33,7 @@ State stateOf(const Simulation& simulation, const char* name) {
   return {poseOf(simulation, name), twistOf(simulation, name)};
 }
 
-/// Hands the footbot on after each tick. @return the hashes
+/// Hands the footbot over after each tick. @return the hashes
 std::vector<std::uint64_t> carry(Simulation& simulation, int handovers) {
   std::vector<std::uint64_t> hashes;
   const Space& space = simulation.space();
@@ -94,7 +94,7 @@ TEST(HandoverEnginesTest, AThousandHandoversKeepStateGripAndCourse) {
   EXPECT_NEAR((footbot.position - poseOf(*simulation, "prey").position).norm(), apart, 2e-3);
   EXPECT_NEAR(footbot.position.z(), 0.0, 1e-3);
   EXPECT_GT((footbot.orientation * Eigen::Vector3d::UnitZ()).z(), std::cos(0.5 * M_PI / 180.0));
-  // the same commands in the kinematic engine alone: 7.3 m and three turns and a third
+  // the same commands in the kinematic engine alone: 7.3 m and 3 1/3 turns
   auto alone = worldOfThreeEngines();
   tick(*alone, 1006);
   EXPECT_NEAR((footbot.position - poseOf(*alone, "fb").position).norm(), 0.0, 0.05);

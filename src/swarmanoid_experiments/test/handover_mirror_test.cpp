@@ -1,4 +1,4 @@
-// What engines hold of entities that other engines move, when those change.
+// Data of engines about entities that other engines move, when the moving engine changes.
 #include <gtest/gtest.h>
 
 #include "handover_world.hpp"
@@ -8,7 +8,8 @@ REGISTER_ENGINE(swarmanoid::test::GlideEngine)
 namespace swarmanoid::test {
 namespace {
 
-/// "fb" drives along x, moved on the ground; "gb" and "tb" stand in its way, gb on the ground, tb in the twin.
+/// "fb" drives along x, moved by the ground engine; "gb" and "tb" block its way, gb in the ground engine, tb in the
+/// twin.
 World mirroredWorld(const std::string& mirrored) {
   World world;
   world.entities = footbot("fb", 2, 5, 0);
@@ -89,7 +90,7 @@ TEST(HandoverMirrorTest, AnEngineThatTheFileDoesNotNameForgetsWhatItGivesUp) {
 }
 
 TEST(HandoverMirrorTest, ItCollidesWithThoseOfItsNewEngine) {
-  // robots of the twin do not move, for only "fb" is driven: "tb" stands where fb wants to go
+  // robots of the twin do not move, because only "fb" is driven: "tb" blocks the way of fb
   World world = mirroredWorld("");
   world.entities = footbot("fb", 2, 5, 0) + prey("tb", 3, 5);
   auto in_twin = started(world);
@@ -102,7 +103,7 @@ TEST(HandoverMirrorTest, ItCollidesWithThoseOfItsNewEngine) {
 }
 
 TEST(HandoverMirrorTest, AMirrorIsInTheWayWhereItIsAndNotWhereItWas) {
-  // the prey is let go in tick 21 and stands still; the ground has seen it last where it was a tick before
+  // the prey is released in tick 21 and stays; the ground engine last saw it at its position one tick earlier
   World world = carrierWorld();
   world.drive += "<open_at>20</open_at>";
   auto simulation = started(world);

@@ -1,4 +1,4 @@
-// Handovers that cannot be: refused in words, and nothing has changed.
+// Impossible handovers: rejected with a message, and without effect.
 #include <gtest/gtest.h>
 
 #include "handover_world.hpp"
@@ -16,7 +16,7 @@ struct Refusal {
 
 class HandoverRefusalTest : public testing::TestWithParam<Refusal> {};
 
-/// "post" in the way of the prey alone, in the twin only; "wall" is fixed.
+/// "post" blocks the prey only, in the twin only; "wall" is fixed.
 World obstructedWorld() {
   World world = carrierWorld();
   world.entities += prey("post", 5.05, 5.26) + footbot("other", 2, 2, 0) +
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "cylindric_prey 'prey' cannot be handed over to engine 'ice': connected footbot 'fb': device "
                 "'footbot_wheels' cannot be simulated"}));
 
-/// Handed over from rigid bodies to kinematics. @return why not
+/// Handover from rigid bodies to kinematics. @return reason of the rejection
 std::string refusalOnGround(Simulation& simulation, const std::string& name) {
   const std::uint64_t hash = simulation.stateHash();
   std::string message = "(accepted)";
@@ -118,7 +118,7 @@ TEST(HandoverTest, TheMembersOfAStructureAreNotInEachOthersWay) {
 }
 
 TEST(HandoverTest, WhatElseIsThereIsInTheWayMoverOrMirror) {
-  // these engines take all that is in them to be in the way
+  // in these engines every other body blocks
   World world = obstructedWorld();
   for (const std::string id : {"lift", "hover"}) {
     world.engines += "<glide id=\"" + id + "\"><takes_wheels>true</takes_wheels></glide>";

@@ -1,4 +1,4 @@
-// Rules of the experiment file by which entities change the engine that moves them (thesis chapter 5).
+// Handover rules of the experiment file, by which entities change the engine that moves them (thesis chapter 5).
 #include <gtest/gtest.h>
 
 #include "handover_world.hpp"
@@ -17,7 +17,7 @@ std::string box(const std::string& tag, const std::string& minimum, const std::s
   return "<" + tag + "><minimum>" + minimum + "</minimum><maximum>" + maximum + "</maximum></" + tag + ">";
 }
 
-/// "fb" drives along x by 1 cm a tick; "ground" and "twin" are in its plane, "sky" is a metre above.
+/// "fb" drives along x by 1 cm per tick; "ground" and "twin" are in its plane, "sky" is a metre above.
 World lineWorld(const std::string& rules) {
   World world;
   world.entities = footbot("fb", 1, 5, 0);
@@ -31,7 +31,7 @@ World lineWorld(const std::string& rules) {
   return world;
 }
 
-/// "fb" grips "prey" in its first tick and lets go in tick 21.
+/// "fb" grips "prey" in its first tick and releases it in tick 21.
 World gripWorld(const std::string& rules) {
   World world = lineWorld(rules);
   world.entities = footbot("fb", 5, 5, 90) + prey("prey", 5, 5.171);
@@ -40,7 +40,7 @@ World gripWorld(const std::string& rules) {
   return world;
 }
 
-/// The events of handovers of so many ticks, with the tick.
+/// The handover events of a number of ticks, each with its tick.
 std::string story(Simulation& simulation, int ticks) {
   std::string text;
   for (int i = 0; i < ticks; ++i) {
@@ -63,7 +63,7 @@ std::string story(const World& world, int ticks) {
 TEST(HandoverRuleTest, WhoEntersARegionChangesAndWhoLeavesItChangesBack) {
   const World world = lineWorld(rule("fb", "twin", box("inside", "1.255,4,0", "1.505,6,1")) +
                                 rule("fb", "ground", box("outside", "1.255,4,0", "1.505,6,1")));
-  // in tick n it is at 1 + n * 0.01
+  // in tick n its position is 1 + n * 0.01
   EXPECT_EQ(story(world, 100), "26 fb from ground to twin; 51 fb from twin to ground; ");
 }
 
@@ -112,7 +112,7 @@ TEST(HandoverRuleTest, AControllerSaysWhen) {
 }
 
 TEST(HandoverRuleTest, ARefusalIsReportedOnceAndTriedAgainWhileTheConditionHolds) {
-  // until the post goes away the twin has no room
+  // the post blocks the twin until it is moved away
   World world = lineWorld(rule("fb", "twin", box("inside", "1.095,4,0", "1.605,6,1")));
   world.entities += prey("post", 1.15, 5.1);
   world.physics = "<engine id=\"twin\">" + member("post") + "</engine>" + world.physics;
@@ -147,7 +147,7 @@ TEST(HandoverRuleTest, TheConnectedGoTogetherOrNotAtAll) {
   EXPECT_EQ(story(world, 1), "1 fb to twin: connected cylindric_prey 'prey': overlaps 'post'; ");
 }
 
-/// Robots at random, driven at random; whoever comes into the middle is moved by the twin until it leaves.
+/// Robots placed and driven at random; the twin moves those in the middle until they leave it.
 World crowd(int threads) {
   World world;
   world.size = "4,4,2";
@@ -241,7 +241,7 @@ TEST(HandoverRuleLoadTest, WhatTheTargetCanNeverTakeIsRefusedAtLoad) {
             "test.xml:1: handover of cylindric_prey 'prey' to engine 'twin': has no controller, so it has no debug "
             "values");
   world = crowd(1);
-  world.bounded = false;  // no room for walls on the ice
+  world.bounded = false;  // the ice engine does not support walls
   world.engines += "<glide id=\"ice\"/>";
   world.physics = rule("swarm", "ice", "<attached/>");
   EXPECT_EQ(refusalOf(world),

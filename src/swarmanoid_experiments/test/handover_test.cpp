@@ -1,4 +1,4 @@
-// Entities that change the engine that moves them while the experiment runs (thesis chapter 5), asked for from code.
+// Handovers of entities between engines during a run (thesis chapter 5), requested by code.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -120,7 +120,7 @@ TEST(HandoverTest, WhatIsMovedThereAlreadyStaysWithoutAWord) {
 TEST(HandoverTest, TheNewEngineGoesOnWithTheTwistOfTheOld) {
   auto simulation = started(carrierWorld());
   tick(*simulation, 10);
-  simulation->apply(DeleteEntity{"fb"});  // the prey is let go in mid-motion
+  simulation->apply(DeleteEntity{"fb"});  // this releases the moving prey
   const Pose start = poseOf(*simulation, "prey");
   const Twist twist = twistOf(*simulation, "prey");
   ASSERT_GT(twist.linear.norm(), 0.05);
@@ -165,7 +165,7 @@ TEST(HandoverDynamicsTest, KinematicsAndRigidBodiesTakeOverFromEachOtherWithWhat
     tick(*simulation, 5);
     ASSERT_EQ(moverOf(*simulation, "prey"), i % 2 == 0 ? "solid" : "ground");
     ASSERT_EQ(space.structure.grippedBy(space.entities.find("fb")), space.entities.find("prey")) << i;
-    // a rigid joint of Box2D gives a little; what it has given is what the kinematic engine goes on with
+    // a rigid joint of Box2D gives a little; the kinematic engine continues with the displaced pose
     EXPECT_NEAR((relative() - at_grip).norm(), 0.0, 0.005) << i;
     EXPECT_NEAR(twistOf(*simulation, "fb").linear.norm(), speed, 0.1 * speed) << "no jerk from a standstill";
   }

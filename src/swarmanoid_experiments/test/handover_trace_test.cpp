@@ -1,4 +1,4 @@
-// A handover that is refused leaves no trace, not even inside the engines: the run goes on to the same bits.
+// A rejected handover leaves no trace, even inside the engines: the run continues with the same bits.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -13,7 +13,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// group_pull in an engine, and with another one, which nothing is in at first.
+/// group_pull in one engine, with a second one that is empty at first.
 std::unique_ptr<Simulation> pullWith(const std::string& ground, const std::string& other, std::uint64_t seed) {
   loadBuiltInPlugins();
   const std::string file = findShared("swarmanoid_experiments", "experiments/group_pull.xml");

@@ -1,4 +1,4 @@
-/// What the tests of handover share: a footbot that carries a prey among several engines, and how to look at it.
+/// Shared by the tests of handover: a footbot that carries a prey among several engines, and functions to inspect it.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ inline std::string prey(const std::string& id, double x, double y) {
          ",0</position><orientation>0,0,0</orientation><radius>0.06</radius><height>0.1</height></cylindric_prey>";
 }
 
-/// A footbot that grips a prey in its first tick and drives on along an arc; two engines in its plane, one in another,
-/// one that knows nothing of wheels.
+/// A footbot that grips a prey in its first tick and drives on along an arc. Besides its engine there are one in the
+/// same plane, one in another plane, and one that does not support wheels.
 inline World carrierWorld() {
   World world;
   world.ticks = 3000;

@@ -1,4 +1,5 @@
-// Who loses the ground falls, in the tick that geometry says, in every engine; what is connected carries each other.
+// Entities without ground below fall, in the tick computed by geometry, in every engine; connected bodies support each
+// other.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 constexpr double kWheelRadius = 0.029;  // of a footbot, m
 constexpr double kDegree = M_PI / 180.0;
 
-/// Parameters of "drive" with which footbots go straight ahead by that much in each tick [m].
+/// Parameters of "drive" for straight motion by that distance in each tick [m].
 std::string ahead(double way, const std::string& more = "") {
   const std::string speed = numberText(way / 0.1 / kWheelRadius);
   return "<left>" + speed + "</left><right>" + speed + "</right>" + more;
@@ -45,7 +46,7 @@ bool isThere(const Simulation& simulation, const std::string& name) {
   return simulation.space().entities.find(name) != kNoRow;
 }
 
-/// The falls of so many ticks, with the tick.
+/// The falls of a number of ticks, each with its tick.
 std::string falls(Simulation& simulation, int ticks) {
   std::string text;
   for (int i = 0; i < ticks; ++i) {
@@ -59,8 +60,8 @@ std::string falls(Simulation& simulation, int ticks) {
   return text;
 }
 
-/// "fb" starts at (1.3, 2.1) and drives by `step` a tick, 37.3 degrees from x, towards a disc of 0.21 m, whose middle
-/// is 0.731 m ahead and 0.05 m aside.
+/// "fb" starts at (1.3, 2.1) and drives by `step` per tick, at 37.3 degrees from x, towards a disc of 0.21 m with its
+/// centre 0.731 m ahead and 0.05 m to the side.
 World towardsADisc(double step) {
   const double heading = 37.3 * kDegree;
   const Eigen::Vector2d along(std::cos(heading), std::sin(heading));
@@ -88,7 +89,7 @@ TEST(HolesTest, ARobotFallsInTheTickInWhichItsMiddleIsOverTheHole) {
 TEST(HolesTest, WhatAControllerFailsInWhenItsRobotFallsIsAnEventOfThatTick) {
   World world = towardsADisc(0.02);
   world.drive += "<throws_when_it_goes>true</throws_when_it_goes>";
-  world.ticks = 27;  // the last one
+  world.ticks = 27;  // the last tick
   const auto simulation = started(world);
   tick(*simulation, 27);
   const std::string events = eventsIn(*simulation);
@@ -110,7 +111,7 @@ TEST(HolesTest, ARobotThatPassesAsideDoesNotFall) {
 
 class HolesInEngineTest : public testing::TestWithParam<const char*> {};
 
-/// Engines with forces need time to get at speed: the place of the fall is known, not the tick.
+/// Engines with forces need time to accelerate: the place of the fall is known, but not the tick.
 TEST_P(HolesInEngineTest, TheEventIsTheSameInEveryEngine) {
   const auto simulation = startedIn(towardsADisc(0.02), GetParam());
   const Eigen::Vector2d from = poseOf(*simulation, "fb").position.head<2>();
@@ -148,7 +149,7 @@ TEST(HolesTest, ARobotFallsWhenBothWheelsHaveLostTheGround) {
   World world;
   world.members = member("fb");
   world.drive = ahead(0.013);
-  // slits below the wheels, 0.07 m beside the middle
+  // slits below the wheels, 0.07 m to the sides of the centre
   const std::string left = rectangle("left", {3.0, 2.07}, {2.0, 0.02});
   const std::string right = rectangle("right", {3.1, 1.93}, {2.0, 0.02});
   world.entities = footbot("fb", 1.5, 2.0, 0.0) + left;
@@ -200,7 +201,7 @@ TEST(HolesTest, WhoFliesDoesNotFall) {
   EXPECT_EQ(falls(simulation, 3), "");
 }
 
-/// "fb" grips "prey", 0.171 m ahead of it, in its first tick, and drives by 1 cm a tick to a ditch that begins 0.3 m
+/// "fb" grips "prey", 0.171 m ahead of it, in its first tick, and drives by 1 cm per tick to a ditch that begins 0.3 m
 /// ahead.
 World pushers(const std::string& mass, const std::string& more = "") {
   World world = carrierWorld();
@@ -226,7 +227,7 @@ TEST(HolesTest, WhatIsLetGoOverAHoleFalls) {
   EXPECT_EQ(falls(*started(pushers("0.3", "<open_at>20</open_at>")), 25), "21 prey hole 'ditch'; ");
 }
 
-/// Forty robots at random, driven at random, among three holes.
+/// Forty robots, placed and driven at random, among three holes.
 World dangerousWorld(int threads) {
   World world;
   world.size = "6,6,2";
@@ -276,7 +277,7 @@ TEST(HolesTest, ARuleForHandoverForgetsWhoHasFallen) {
   World world = towardsADisc(0.02);
   world.entities += disc("edge", {3.0, 3.0}, 0.001);
   world.engines = "<kinematics2d id=\"twin\"/>";
-  // it would enter the box in the tick in which it falls, at 1.7295, 2.4272
+  // it would enter the box in the tick of its fall, at 1.7295, 2.4272
   world.physics =
       "<handover entity=\"fb\" to=\"twin\"><inside><minimum>1.72,0,0</minimum><maximum>3,3,1</maximum></inside>"
       "</handover><handover entity=\"fb\" to=\"ground\"><inside><minimum>1.74,0,0</minimum><maximum>3,3,1</maximum>"

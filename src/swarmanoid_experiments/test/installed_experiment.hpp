@@ -1,4 +1,4 @@
-/// Runs of installed experiments, with other values than those of the file, for tests of what they show.
+/// Runs of installed experiments with changed values, for tests of their results.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace swarmanoid::test {
 
-/// Before its first tick. @param overrides PATH=VALUE, as of --set
+/// Started, before its first tick. @param overrides PATH=VALUE, as for --set
 inline std::unique_ptr<Simulation> installed(const std::string& name, std::uint64_t seed,
                                              const std::vector<std::string>& overrides = {}, int threads = 1) {
   loadBuiltInPlugins();
@@ -29,7 +29,7 @@ inline std::unique_ptr<Simulation> installed(const std::string& name, std::uint6
   return simulation;
 }
 
-/// To the end of the run.
+/// Runs to the end.
 inline void finish(Simulation& simulation) {
   while (!simulation.isFinished()) {
     simulation.tick();
@@ -40,8 +40,8 @@ inline double metricOf(const Simulation& simulation, const std::string& name) {
   return std::get<double>(simulation.metrics().at(name));
 }
 
-/// Kendall's tau of a measure against the order in which it stands here: 1 if it always rises, -1 if it always falls;
-/// equal ones count as neither.
+/// Kendall's tau of values against their order: 1 if they always rise, -1 if they always fall; equal values count as
+/// neither.
 inline double kendall(const std::vector<double>& values) {
   double sum = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {

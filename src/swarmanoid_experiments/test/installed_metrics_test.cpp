@@ -1,5 +1,4 @@
-// Every installed experiment measures something, and rules that only measure leave a run as it is, for any number of
-// threads.
+// Every installed experiment has metrics, and rules that only measure do not change a run, with any number of threads.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -56,7 +55,7 @@ Traces run(const std::string& name, bool is_measured, int threads) {
   return traces;
 }
 
-/// Those whose rules only measure.
+/// Experiments whose rules only measure.
 class MeasuredExperimentTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(MeasuredExperimentTest, RunsTheSameWithoutItsRulesAndMeasuresTheSameOnAnyNumberOfThreads) {
@@ -70,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Experiments, MeasuredExperimentTest,
                          testing::Values("diffusion", "rough_terrain", "gap", "climbing", "shelf_retrieval"),
                          [](const auto& name) { return std::string(name.param); });
 
-/// As often as an experiment can be judged by them, and over the whole run.
+/// Covers the experiments whose success can be judged, over the whole run.
 TEST(InstalledMetricsTest, WhatCrossesAndClimbsSucceeds) {
   for (const char* name : {"gap", "climbing", "shelf_retrieval"}) {
     const auto simulation = installed(name, 1);

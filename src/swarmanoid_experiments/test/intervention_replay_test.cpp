@@ -1,4 +1,4 @@
-// What was done to a run from outside, recorded and played into another one: the same hashes in each tick.
+// External interventions, recorded and played into another run: the same hashes in each tick.
 #include <gtest/gtest.h>
 
 #include "lockstep_world.hpp"
@@ -63,7 +63,7 @@ TEST_P(ReplayTest, TwoHundredRandomInterventionsHaveTheSameHashesAgainAndAfterAR
 
 INSTANTIATE_TEST_SUITE_P(Engines, ReplayTest, testing::ValuesIn(kEngineIds));
 
-/// Puts "fb" to (3, 3) before tick 2, and to (5, 5) once tick 4 is over.
+/// Moves "fb" to (3, 3) before tick 2, and to (5, 5) after tick 4.
 class PuttingRule final : public Rule {
  public:
   static PluginDescription describe() {
@@ -89,7 +89,7 @@ class PuttingRule final : public Rule {
   }
 };
 
-/// Commanded from here or from elsewhere.
+/// @param source of the robot's commands: in this process or another one
 World ruledWorld(const std::string& source) {
   World world;
   std::string robot = footbot("fb", 1, 1, 0);

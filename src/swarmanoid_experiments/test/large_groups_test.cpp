@@ -1,4 +1,4 @@
-// Groups of over a thousand are numbered along a curve: neighbours have near numbers, and all places are as likely.
+// Groups of over a thousand are numbered along a curve: neighbours have similar numbers, and positions are uniform.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr double kSide = 13.0;  // m, of the square that robots' origins are in
+constexpr double kSide = 13.0;  // m, side of the square that contains the robots' origins
 
 std::unique_ptr<Simulation> group(int quantity, std::uint64_t seed, double side = kSide) {
   loadBuiltInPlugins();
@@ -29,7 +29,7 @@ std::unique_ptr<Simulation> group(int quantity, std::uint64_t seed, double side 
   return simulation;
 }
 
-/// Of the robots, by their numbers.
+/// Positions of the robots, in the order of their numbers.
 std::vector<Eigen::Vector2d> placesOf(const Simulation& simulation) {
   const Entities& entities = simulation.space().entities;
   std::vector<Eigen::Vector2d> places;
@@ -49,10 +49,10 @@ double meanStep(const std::vector<Eigen::Vector2d>& places) {
 }
 
 TEST(LargeGroupsTest, NearNumbersAreNear) {
-  constexpr double kMeanDistance = 0.5214;  // of two random points of a unit square
+  constexpr double kMeanDistance = 0.5214;  // between two random points in a unit square
   EXPECT_NEAR(meanStep(placesOf(*group(1000, 4))), kMeanDistance * kSide, 0.05 * kSide);
-  // one on each 0.11 m2: a step of a curve through random points is about as long as they are apart; in further rounds
-  // there are fewer, so steps are longer
+  // one robot per 0.11 m2: a step along a curve through random points is about as long as their spacing; later rounds
+  // have fewer points, so their steps are longer
   EXPECT_LT(meanStep(placesOf(*group(1500, 4))), 3.0 * std::sqrt(kSide * kSide / 1500.0));
 }
 
@@ -67,7 +67,7 @@ TEST(LargeGroupsTest, AllPlacesAreAsLikely) {
       ++counts[static_cast<std::size_t>(cell(place.y()) * kCells + cell(place.x()))];
     }
   }
-  // who keeps away from others is spread more evenly than by chance; at the rim there is more room than inside
+  // robots that keep a distance are spread more evenly than random points; at the rim they have more space than inside
   const double mean = static_cast<double>(kSeeds) * kQuantity / (kCells * kCells);
   for (const int count : counts) {
     EXPECT_NEAR(count, mean, 4.0 * std::sqrt(mean));

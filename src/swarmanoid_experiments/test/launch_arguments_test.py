@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `roslaunch --ros-args` says of the launch files: an argument is required if it has no default, and only then."""
+"""The output of `roslaunch --ros-args` for the launch files: an argument is required exactly if it has no default."""
 
 import pathlib
 import subprocess
@@ -10,7 +10,7 @@ LAUNCH = pathlib.Path(__file__).resolve().parents[3] / "launch"
 
 
 def required(file):
-    """The arguments that roslaunch lists as required."""
+    """Returns the arguments that roslaunch lists as required."""
     listed = subprocess.run(["roslaunch", "--ros-args", file], check=True, timeout=60, stdout=subprocess.PIPE, encoding="utf-8").stdout
     part = listed.partition("Required Arguments:")[2].partition("Optional Arguments:")[0]
     return {line.split(":")[0].strip() for line in part.splitlines() if line.strip()}

@@ -1,4 +1,4 @@
-// The event left_arena: of entities that are outside the arena, not of those that land hard in its middle.
+// The event left_arena: for entities outside the arena, but not for hard landings in its middle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A prey, whose origin is in its foot, that falls from 2.4 m. @return ticks of 10 ms after which it leaves the arena;
-/// -1: never, in 2 s
-/// @param least of its lowest heights [m]
+/// A prey, with its origin in its foot, falls from 2.4 m. @return ticks of 10 ms until it leaves the arena; -1: not
+/// within 2 s
+/// @param least returns its minimum height [m]
 int ticksUntilLeft(const std::string& ground, double& least) {
   loadPluginLibrary("swarmanoid_engines", {}, {});
   Simulation simulation(parseExperiment(
@@ -40,7 +40,7 @@ int ticksUntilLeft(const std::string& ground, double& least) {
 }
 
 TEST(LeftArenaTest, AHardLandingLeavesNoArena) {
-  // at sqrt(2 g 2.4) = 6.9 m/s it goes 69 mm in a step, and sinks in before it is stopped
+  // at sqrt(2 g 2.4) = 6.9 m/s it moves 69 mm in a step, and penetrates the ground before it is stopped
   double least = 0.0;
   EXPECT_EQ(ticksUntilLeft("true", least), -1);
   EXPECT_LT(least, -1e-3);

@@ -1,6 +1,5 @@
-// Every number that an experiment file can hold has bounds, and whatever it is given, the run has finite poses or is
-// refused with the place of the value and its bounds. The numbers are those of the tables that readers and schema go
-// by.
+// Every number in an experiment file has bounds, and with any value the run either has finite poses or is rejected with
+// the location of the value and its bounds. The numbers come from the tables that readers and schema use.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,14 +20,14 @@
 namespace swarmanoid {
 namespace {
 
-/// Has all devices of its robot and leaves them alone.
+/// Has all devices of its robot and does not use them.
 class Idle final : public Controller {
  public:
   void init(Robot&, const Configuration&) override {}
   void step(Time, Duration) override {}
 };
 
-/// Commands numbers as large as there are, first one way, then the other.
+/// Commands the largest numbers, with alternating signs.
 class Wild final : public Controller {
  public:
   void init(Robot& robot, const Configuration&) override { robot_ = &robot; }
@@ -66,7 +65,7 @@ std::size_t componentsOf(const Parameter& parameter) {
   return parameter.type == Type::kVector3 || parameter.type == Type::kAngles3 ? 3 : 1;
 }
 
-/// A number that a file can hold, and the path by which --set finds it.
+/// A number in a file, and its path for --set.
 struct Number {
   std::string path;
   Parameter parameter;
@@ -104,7 +103,7 @@ class World {
 
   const std::vector<Number>& numbers() const { return numbers_; }
 
-  /// What happens with that value: "" if it runs with finite poses, what was refused, or what went wrong.
+  /// Result of a run with that value: "" if it has finite poses, else the rejection or the error.
   std::string refusalOf(const std::string& path, const std::string& value, int ticks = 3) const {
     try {
       Simulation simulation(parseExperiment(text_, "world.xml", {{path, value}}));
@@ -126,7 +125,7 @@ class World {
   }
 
  private:
-  /// The group is distributed in a box; those of discs, rings and lines are refused there by name.
+  /// The group is distributed in a box, which rejects the parameters of discs, rings and lines by name.
   void leaveOutOtherAreas() {
     for (const char* name : {"center", "radius", "inner_radius", "from", "to"}) {
       const auto is_it = [&](const Number& number) { return number.path == std::string("arena.distribute.") + name; };
@@ -160,7 +159,7 @@ class World {
       const PluginDescription& device = entry->description;
       const bool is_spatial = device.label.rfind("handbot_", 0) == 0 || device.label.rfind("eyebot_magnet", 0) == 0;
       const bool is_carried = std::find(device.robots.begin(), device.robots.end(), robot) != device.robots.end();
-      const bool is_usual = Registry::instance().find(kind, device.label) == entry;  // of several implementations
+      const bool is_usual = Registry::instance().find(kind, device.label) == entry;  // the default one
       if (is_usual && is_carried && (!is_spatial || engine_ == "dynamics3d") && isChosen(device.label)) {
         text += "<" + device.label + "/>";
         add("controllers." + robot + "_idle." + section + "." + device.label, device.parameters);
@@ -169,7 +168,7 @@ class World {
     return text + "</" + section + ">";
   }
 
-  /// Of devices that cannot be on one robot, each engine has another one.
+  /// Each engine gets a different one of the devices that exclude each other on a robot.
   bool isChosen(const std::string& device) const {
     const std::map<std::string, std::string> only_in{{"footbot_leds", "kinematics2d"},
                                                      {"footbot_beacon", "dynamics2d"},
@@ -230,7 +229,7 @@ class World {
   std::vector<Number> numbers_;
 };
 
-/// The value as all numbers, as the first only, and as the last only.
+/// The value as all components, as the first only, and as the last only.
 std::vector<std::string> textsOf(const Number& number, const std::string& value) {
   switch (componentsOf(number.parameter)) {
     case 2:
@@ -245,7 +244,7 @@ std::vector<std::string> textsOf(const Number& number, const std::string& value)
 std::vector<std::string> valuesFor(const Number& number) {
   std::vector<std::string> values{"1e40", "-1e40", "1e-40", "1e-9", "1e300", "1e9",          "-1e9", "0",
                                   "-1",   "nan",   "-nan",  "inf",  "-inf",  "999999999999", "1e999"};
-  // the bounds themselves, where they do not only make the run long
+  // the bounds themselves, unless they would only make the run long
   const std::string name = number.path.substr(number.path.rfind('.') + 1);
   const bool makes_long = name == "quantity" || name == "threads";
   values.push_back(numberText(number.parameter.range.minimum));
@@ -286,7 +285,7 @@ TEST_P(NumbersTest, WhateverTheyAreTheRunIsFiniteOrRefused) {
           EXPECT_NE(refusal.find("', allowed: "), std::string::npos) << what;
           EXPECT_NE(refusal.find(number.parameter.range.toString()), std::string::npos) << what;
         } else {
-          // what is allowed by itself may still overlap, or stand outside the arena
+          // an allowed value may still cause an overlap, or a position outside the arena
           EXPECT_NE(refusal.rfind("stopped", 0), 0U) << what;
           EXPECT_NE(refusal.rfind("ran", 0), 0U) << what;
         }

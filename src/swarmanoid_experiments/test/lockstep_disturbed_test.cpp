@@ -1,4 +1,4 @@
-// Whoever acts on a simulation between ticks does not wait for a participant that is late, or never comes.
+// Actions on a simulation between ticks do not wait for a participant that is late, or never joins.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -93,12 +93,12 @@ TEST(LockstepDisturbedTest, TheTimeSinceItWasGivenUpIsNotTheParticipants) {
   participant.is_mute = true;
   participant.join();
   EXPECT_FALSE(simulation->tick(disturbed));
-  std::this_thread::sleep_for(2500ms);  // paused, say
+  std::this_thread::sleep_for(2500ms);  // such as during a pause
   auto answer = std::async(std::launch::async, [&] { participant.answerLate(); });
   EXPECT_TRUE(simulation->tick());
 }
 
-/// Counts how often it is called.
+/// Counts its calls.
 class CountingRule final : public Rule {
  public:
   static PluginDescription describe() {
@@ -144,10 +144,10 @@ TEST(LockstepDisturbedTest, RulesAreAskedOnceForATickHoweverOftenItIsGivenUp) {
   EXPECT_EQ(countsOf(*simulation), "1, 0") << "the run that begins asks anew";
 }
 
-/// A simulation that waits in its first tick for whoever is to command its robot.
+/// A simulation that waits in its first tick for the participant that commands its robot.
 class WaitingThreadTest : public testing::Test {
  protected:
-  /// @return whether it returned
+  /// @return whether the action returned
   template <class Action>
   bool getsThrough(Action action) {
     auto done = std::async(std::launch::async, action);

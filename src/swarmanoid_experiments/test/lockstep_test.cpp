@@ -1,4 +1,4 @@
-// Robots whose controllers run elsewhere: a participant in this process, which answers as it is told to.
+// Robots with controllers in another process: a participant in this process simulates it, and answers as configured.
 #include "swarmanoid_space/lockstep/lockstep.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(LockstepTest, WaitsForWhoIsLateAndNamesIt) {
       std::this_thread::sleep_for(1ms);
     }
     participant.is_mute = false;
-    participant.join();  // as a process that died and was started again
+    participant.join();  // like a process that died and was restarted
   });
   simulation->tick();
   late.join();
@@ -254,7 +254,7 @@ TEST(LockstepTest, NobodyAsksForTheCommandsOfARobotThatHasFallen) {
   simulation->start();
   FakeParticipant participant(*simulation, "a", {"fb"});
   participant.join();
-  hashesOf(*simulation, 4);  // by 14.5 mm a tick, to the rim at 1.05
+  hashesOf(*simulation, 4);  // by 14.5 mm per tick, to the rim at 1.05
   EXPECT_EQ(std::vector<std::string>{"fb: hole 'pit'"}, textsOf(*simulation, Event::Kind::kFellIntoHole));
   hashesOf(*simulation, 5);
   EXPECT_EQ(4, participant.frames);

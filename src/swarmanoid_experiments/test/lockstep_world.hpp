@@ -1,4 +1,5 @@
-/// Robots whose controllers run elsewhere: a participant in this process, which answers as a test sets it up.
+/// Robots with controllers in another process: a participant in this process simulates it, and answers as configured by
+/// the test.
 #pragma once
 
 #include <functional>
@@ -15,14 +16,14 @@
 
 namespace swarmanoid::test {
 
-/// Runs controllers as another process would, and answers at once unless set up otherwise.
+/// Runs controllers as another process would, and answers at once by default.
 class FakeParticipant {
  public:
   FakeParticipant(Simulation& simulation, std::string name, std::vector<std::string> robots)
       : lockstep_(simulation.lockstep()), name_(std::move(name)), robots_(std::move(robots)) {}
 
   Registration join() {
-    const std::lock_guard<std::mutex> lock(mutex_);  // a frame may come before the controllers are there
+    const std::lock_guard<std::mutex> lock(mutex_);  // a frame may arrive before the controllers exist
     const Registration registration =
         lockstep_.join({name_, robots_, policy, timeout}, [this](const SensorFrame& frame) {
           const std::lock_guard<std::mutex> frame_lock(mutex_);
@@ -45,7 +46,7 @@ class FakeParticipant {
     return registration;
   }
 
-  /// The answer to the last frame, which it was too mute to give.
+  /// Sends the answer to the last frame that a mute participant has not answered.
   void answerLate() {
     const std::lock_guard<std::mutex> lock(mutex_);
     refusals.push_back(lockstep_.answer(answerTo(last_frame_)));
@@ -64,7 +65,7 @@ class FakeParticipant {
 
   const SensorFrame& lastFrame() const { return last_frame_; }
 
-  std::function<void(CommandFrame&)> mutate;  // what it is about to answer
+  std::function<void(CommandFrame&)> mutate;  // changes an answer before it is sent
   std::optional<LatePolicy> policy;
   std::optional<Lockstep::Seconds> timeout;
   bool is_mute = false;
@@ -93,7 +94,7 @@ inline std::vector<std::string> textsOf(const Simulation& simulation, Event::Kin
   return texts;
 }
 
-/// The retrieval experiment; these robots are commanded from elsewhere.
+/// The retrieval experiment, with the given robots commanded by another process.
 inline std::unique_ptr<Simulation> remoteRetrieval(const std::vector<Override>& remote, int threads = 1,
                                                    std::uint64_t seed = 7) {
   loadBuiltInPlugins();
@@ -109,7 +110,7 @@ inline std::unique_ptr<Simulation> remoteRetrieval(const std::vector<Override>& 
 inline const Override kFootbots{"arena.distribute.fb.controller.source", "remote"};
 inline const Override kEyebot{"arena.eb.controller.source", "remote"};
 
-/// One footbot that drives straight ahead, commanded from elsewhere; not started.
+/// One footbot that drives straight ahead, commanded by another process; not started.
 inline std::unique_ptr<Simulation> oneRobotBeforeStart(const std::string& source = "remote",
                                                        const std::string& drive = "", const std::string& rules = "") {
   World world;

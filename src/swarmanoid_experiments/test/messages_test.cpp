@@ -1,5 +1,5 @@
-// Controllers that talk by range and bearing, in whole simulations: in which tick messages arrive, whoever runs the
-// controllers and on however many threads, and who hides whom in each engine.
+// Controllers that communicate by range and bearing, in whole simulations: the ticks in which messages arrive, with
+// controllers in any process and with any number of threads, and occlusion in each engine.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,9 +14,9 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Talks as its parameter `role` says: "starts" says 1 in its first tick, and, as "answers", n + 1 in each tick in
-/// which it hears n; "names_itself" always says the number in its name; "chats" drives about and says odd things at
-/// times.
+/// Communicates according to its parameter `role`: "starts" sends 1 in its first tick, and then, like "answers", sends
+/// n + 1 in each tick in which it receives n; "names_itself" always sends the number in its name; "chats" drives around
+/// and sends arbitrary messages at times.
 class TestTalker final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
@@ -100,7 +100,7 @@ std::string talker(const std::string& id, double x, double y, const std::string&
          "</controller></footbot>";
 }
 
-/// A, which starts, and B, which answers, in configurations of their own.
+/// A starts and B answers; each has its own configuration.
 TalkingWorld twoWhoTalk(const std::string& source_of_b = "controller") {
   TalkingWorld world;
   world.controllers = controller("starts") + controller("answers");
@@ -119,7 +119,7 @@ TEST(MessagesTest, AnAnswerArrivesInTheTickAfterTheOneInWhichItIsGiven) {
   const auto simulation = twoWhoTalk().start();
   for (int tick = 0; tick < 60; ++tick) {
     simulation->tick();
-    // A says 1 in tick 0, B hears it in tick 1 and says 2, A hears that in tick 2 and says 3, and so on
+    // A sends 1 in tick 0, B receives it in tick 1 and sends 2, A receives that in tick 2 and sends 3, and so on
     EXPECT_EQ(heardBy(*simulation, "a"), tick % 2 == 0 ? tick : 0) << "tick " << tick;
     EXPECT_EQ(heardBy(*simulation, "b"), tick % 2 == 1 ? tick : 0) << "tick " << tick;
   }
@@ -157,7 +157,7 @@ TEST(MessagesTest, AResetBeginsTheConversationAnew) {
 
 TEST(MessagesTest, RobotsThatComeAndGo) {
   const auto simulation = twoWhoTalk().start();
-  simulation->tick();  // A has said 1
+  simulation->tick();  // A has sent 1
   EntityDescription late;
   late.type = "footbot";
   late.id = "late";
@@ -167,7 +167,7 @@ TEST(MessagesTest, RobotsThatComeAndGo) {
   simulation->tick();
   EXPECT_EQ(heardBy(*simulation, "late"), 1) << "in its first tick";
   EXPECT_EQ(heardBy(*simulation, "b"), 1);
-  simulation->apply(DeleteEntity{"b"});  // after it has said 2
+  simulation->apply(DeleteEntity{"b"});  // after it has sent 2
   simulation->tick();
   const Space& space = simulation->space();
   const auto* received = space.readings.find<RangeAndBearingReceived>(space.entities.find("a"));
@@ -175,7 +175,7 @@ TEST(MessagesTest, RobotsThatComeAndGo) {
   EXPECT_NEAR(received->messages[0].range, 1.5, 1e-6);
 }
 
-/// @param quantity of robots, at random places among blocks
+/// @param quantity of robots, at random positions among blocks
 TalkingWorld crowd(const std::string& role, int quantity, const std::string& receiver = "") {
   TalkingWorld world;
   world.controllers = controller(role, receiver);
@@ -212,7 +212,7 @@ TEST(MessagesTest, AnyNumberOfThreadsGivesTheSameBits) {
   EXPECT_EQ(hashesOn(4), alone);
 }
 
-/// Those who should be heard, by what the space says of lines between transmitters, as their numbers.
+/// Numbers of the robots that should be heard, computed from the space's lines of sight between transmitters.
 std::vector<int> audibleTo(const Space& space, Row self) {
   constexpr double kRange = 3.0;
   const Eigen::Vector3d transmitter(0.0, 0.0, 0.13);

@@ -1,4 +1,4 @@
-"""What the tests of the program and users' code that misbehaves share: what it does, and how it is called."""
+"""Shared by the tests of the program with misbehaving users' code: the actions' messages, and calls of the program."""
 
 import json
 import os
@@ -40,7 +40,7 @@ CRASHES = {
 class MisbehavingTest(ProgramTest):
     @staticmethod
     def text(phase, action, who=None, **more):
-        """@param who: nobody but the fourth robot's controller if it is not given"""
+        """@param who: plugin that misbehaves; by default only the fourth robot's controller"""
         return world(phase, action, **more) if who is None else world_with(who, phase, action, **more)
 
     def misbehave(self, phase, action, *arguments, environment="", **more):
@@ -53,7 +53,7 @@ class MisbehavingTest(ProgramTest):
 
     def start(self, phase, action, *arguments, preexec_fn=None, **more):
         (self.folder / "world.xml").write_text(self.text(phase, action, **more))
-        # Python starts children with SIGINT as it has it itself; the shell of a test may ignore it
+        # Python starts children with its own SIGINT handling; the shell of a test may ignore the signal
         process = subprocess.Popen(["swarmanoid", "run", "world.xml", "--quiet", "--force", *arguments], cwd=self.folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
                                    preexec_fn=preexec_fn)
@@ -70,7 +70,7 @@ class MisbehavingTest(ProgramTest):
         self.fail(f"not found: {text} in {lines}")
 
     def assert_table(self, ticks):
-        """The table has the state before the first tick, and after each of these."""
+        """Expects the state before the first tick, and after each of `ticks` ticks, in the table."""
         lines = (self.folder / "table.txt").read_text().splitlines(keepends=True)
         self.assertEqual(lines[1], HEADER)
         self.assertEqual(len([line for line in lines if not line.startswith("#")]), (ticks + 1) * len(ROBOTS))

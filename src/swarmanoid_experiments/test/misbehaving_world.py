@@ -1,4 +1,4 @@
-"""What the tests of users' code that misbehaves share: four footbots, of which the last one, or a plugin, does so."""
+"""Shared by the tests of misbehaving users' code: four footbots, of which the last one, or a plugin, misbehaves."""
 
 ROBOTS = ("fb_1", "fb_2", "fb_3", "fb_4")
 WORLD = """<ahss-config>
@@ -21,7 +21,7 @@ NAME = "robot 'fb_4' (controller 'mc' of libmisbehaving_controllers.so)"
 
 
 def world(phase="never", action="nothing", tick=3, maxclock=20, threads=1, only="fb_4"):
-    """The text of an experiment file."""
+    """Returns the text of an experiment file."""
     robots = "\n".join(f'<footbot id="{name}"><position>1, {1 + i}, 0</position><orientation>0, 0, 0</orientation>'
                        '<controller>mc</controller></footbot>' for i, name in enumerate(ROBOTS))
     members = "".join(f'<entity id="{name}"/>' for name in ROBOTS)
@@ -29,13 +29,13 @@ def world(phase="never", action="nothing", tick=3, maxclock=20, threads=1, only=
                         members=members, only=only)
 
 
-# plugins that are no controllers, as they are named when one of their calls does not return
+# plugins other than controllers, as messages name them when one of their calls does not return
 ENGINE = "engine 'bad' (misbehaving_engine)"
 RULE = "rule 'bad' (misbehaving_rule)"
 VISUALISATION = "visualisation 'bad' (misbehaving_visualisation)"
 SENSOR = "sensor 'footbot_gripper_state' of controller 'mc'"
 ACTUATOR = "actuator 'footbot_leds' of controller 'mc'"
-PLACES = {  # what stands before each, and what it is
+PLACES = {  # for each, the text before it and its element
     ENGINE: ("<engines>", '<misbehaving_engine id="bad" library="misbehaving_controllers">{}</misbehaving_engine>'),
     RULE: ("<rules>", '<misbehaving_rule id="bad" library="misbehaving_controllers">{}</misbehaving_rule>'),
     VISUALISATION: ("<visualisations>", '<misbehaving_visualisation id="bad" library="misbehaving_controllers">{}'
@@ -47,7 +47,7 @@ PLACES = {  # what stands before each, and what it is
 
 
 def world_with(who, phase, action, **more):
-    """Likewise, all controllers behave, but a plugin that is in front of all others of its kind does not."""
+    """The same, but all controllers behave, and a plugin placed before all others of its kind misbehaves."""
     before, plugin = PLACES[who]
     parameters = f"<phase>{phase}</phase><action>{action}</action>"
     return world(**more).replace(before, before + plugin.format(parameters))

@@ -1,5 +1,5 @@
-/// A robot whose controller is elsewhere, behind a driver that got one device wrong: the readings or commands of that
-/// device are changed on their way.
+/// A robot with its controller in another process, behind a driver with one faulty device: the readings or commands of
+/// that device are changed in transit.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace swarmanoid::test {
 
 struct Miswiring {
   std::string device;
-  std::function<void(void*)> change;  ///< what becomes of the device
+  std::function<void(void*)> change;  ///< changes the device
 };
 
 /// @param change takes the device by reference
@@ -46,7 +46,7 @@ class MiswiredRobot {
   }
 
  private:
-  /// The data of a frame with one robot: a byte, a block for each device, and what follows.
+  /// Changes the data of a frame with one robot: a byte, a block for each device, and the rest.
   void rewire(Bytes& data, const std::vector<DeviceLayout>& devices) const {
     if (data[0] == 0) {
       return;

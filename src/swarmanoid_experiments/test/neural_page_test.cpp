@@ -1,4 +1,4 @@
-// The listing of the reference page of neural controllers can be used as it stands: its network drives straight on.
+// The listing in the reference page of neural controllers is valid: its network drives straight on.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ TEST(NeuralPageTest, ItsNetworkDrivesAFootbotAhead) {
   const auto simulation = world(listing());
   tick(*simulation, kTicks);
   EXPECT_TRUE(simulation->failures().empty());
-  // biases of 1, and no weights: each wheel turns at -5 + 10 / (1 + e^-1) rad/s
+  // biases of 1 without weights: each wheel turns at -5 + 10 / (1 + e^-1) rad/s
   const double way = 0.029 * (-5.0 + 10.0 / (1.0 + std::exp(-1.0))) * 0.1 * kTicks;
   EXPECT_NEAR(poseOf(*simulation, "fb").position.x(), 2.0 + way, 1e-9);
   EXPECT_NEAR(poseOf(*simulation, "fb").position.y(), 5.0, 1e-9);

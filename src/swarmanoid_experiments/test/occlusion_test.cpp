@@ -1,4 +1,4 @@
-// Rays and occlusion across engines (thesis 3.4): a ground plane, a sky plane one metre above it, and what is in
+// Rays and occlusion across engines (thesis 3.4): a ground plane, a sky plane one metre above it, and entities in
 // neither.
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ std::string entity(const std::string& tag, const std::string& id, const std::str
          "</" + tag + ">";
 }
 
-/// A wall in the ground's engine, a footbot, a prey, an eyebot in the sky's, a block in none, a pillar in both.
+/// A wall in the ground engine, a footbot, a prey, an eyebot in the sky engine, a block in no engine, a pillar in both.
 std::unique_ptr<Simulation> world() {
   loadBuiltInPlugins();
   const std::string entities =
@@ -41,7 +41,7 @@ class OcclusionTest : public testing::Test {
  protected:
   Row row(const std::string& name) const { return space.entities.find(name); }
 
-  /// The entity that is hit, and how far from the start [m]; "" for none.
+  /// Name of the closest entity on a ray, and its distance from the start [m]; "" for none.
   std::pair<std::string, double> closestHit(const Vector3d& from, const Vector3d& to, Row ignored = kNoRow,
                                             Row also_ignored = kNoRow) const {
     const RayHit hit = space.castRay({from, to}, ignored, also_ignored);
@@ -67,10 +67,10 @@ TEST_F(OcclusionTest, HitsWhatStandsInEachEngineAndInNone) {
 }
 
 TEST_F(OcclusionTest, TheNearestIsHitWhicheverEngineItIsIn) {
-  // from the footbot to the block in no engine the prey comes first; seen from the other end the block does
+  // from the footbot to the block in no engine the prey is hit first; from the other end the block is
   expectHit("prey", 1.7, {1.2, 5.0, 0.1}, {9.0, 5.0, 0.1});
   expectHit("free", 0.9, {9.0, 5.0, 0.1}, {1.2, 5.0, 0.1});
-  // down through the eyebot's body, which ends at z = 1, onto nothing
+  // down through the eyebot's body, which ends at z = 1, to no other body
   expectHit("eb", 3.0 - 1.54, {5.0, 5.0, 3.0}, {5.0, 5.0, 0.0});
 }
 
@@ -120,7 +120,7 @@ TEST_F(OcclusionTest, WhoeverCouldBeHitIsAnnouncedAndNobodyFarOff) {
   };
   int hit_count = 0;
   for (int i = 0; i < 4000; ++i) {
-    // all over the arena, by steps that never fall together
+    // all over the arena, with incommensurable steps
     const Vector3d centre(std::fmod(i * 0.377, 10.0), std::fmod(i * 0.731, 10.0), std::fmod(i * 0.113, 1.0));
     const double radius = 0.05 + std::fmod(i * 0.0717, 0.6);
     const Vector3d way = radius * Vector3d(std::cos(i), std::sin(i), 0.0);

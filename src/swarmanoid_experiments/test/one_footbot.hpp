@@ -1,4 +1,4 @@
-/// One footbot with a controller, for tests of what a controller makes of what the robot hears and sees.
+/// One footbot with a controller, for tests of the controller's reactions to messages and blobs.
 #pragma once
 
 #include <chrono>
@@ -15,8 +15,8 @@
 
 namespace swarmanoid::test {
 
-/// It has wheels, range and bearing, and the camera. The test gives the readings, without a space; commands are as the
-/// controller leaves them.
+/// A footbot with wheels, range and bearing, and the camera. The test sets the readings, without a space, and inspects
+/// the commands of the controller.
 class OneFootbot {
  public:
   /// @param controller the label of an installed controller, whose library has the same name
@@ -36,17 +36,17 @@ class OneFootbot {
   OneFootbot(const OneFootbot&) = delete;
   OneFootbot& operator=(const OneFootbot&) = delete;
 
-  /// Adds a message to those that it hears in each step. @param range [m] @param bearing [rad]
+  /// Adds a message that is received in each step. @param range [m] @param bearing [rad]
   void hear(double range, double bearing, const RangeAndBearing::Payload& payload = {}) {
     messages_.push_back({static_cast<float>(range), static_cast<float>(bearing), 0.0F, payload});
     received_.messages = messages_;
   }
-  /// Adds a blob to those that it sees in each step. @param distance [m] @param bearing [rad]
+  /// Adds a blob that is seen in each step. @param distance [m] @param bearing [rad]
   void see(Color color, double distance, double bearing) {
     blobs_.push_back({color, static_cast<float>(bearing), static_cast<float>(distance)});
     camera_.blobs = blobs_;
   }
-  /// One step of the controller, of 100 ms.
+  /// Makes one step of the controller, of 100 ms.
   void step() { controller_->step(kEpoch, std::chrono::milliseconds(100)); }
 
   FootbotWheels wheels;

@@ -1,4 +1,5 @@
-// Cameras that have more in sight than they report: counted, said once, forgotten by a reset, whatever the threads.
+// Cameras with more blobs than they can report: overflows are counted, reported once, cleared by a reset, with any
+// number of threads.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_interface/testing/count_allocations.hpp"
@@ -7,7 +8,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Three footbots among lit preys, each with a camera for two blobs.
+/// Three footbots among lit preys, each with a camera limited to two blobs.
 std::unique_ptr<Simulation> crowd(int threads) {
   World world;
   world.ticks = 20;

@@ -1,4 +1,4 @@
-// Walls that overlap, as in the corners of most arenas: allowed among what never moves, in each engine.
+// Overlapping walls, as in the corners of most arenas: allowed for static bodies, in each engine.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,5 +1,5 @@
-// `joints` and `holders` do to the last bit what the robots' own devices do, from the experiment file through the
-// engines to the readings.
+// `joints` and `holders` have the same effects, to the last bit, as the robots' own devices, from the experiment file
+// through the engines to the readings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// What the robot does in each tick. One for all robots.
+/// Executed by each robot in each tick.
 using Program = std::function<void(Robot& robot, int tick)>;
 Program& program() {
   static Program program;
@@ -36,7 +36,7 @@ class TestParts final : public Controller {
   int tick_ = 0;
 };
 
-/// What a robot reads of a joint and of a holder.
+/// Readings of a joint and of a holder.
 struct Reading {
   double angle = 0.0;
   double speed = 0.0;
@@ -56,7 +56,7 @@ struct Record {
   std::vector<Reading> readings;      ///< in each tick, before the commands
 };
 
-/// @param engine its element
+/// @param engine its XML element
 std::unique_ptr<Simulation> start(const std::string& engine, const std::string& robot, const std::string& devices,
                                   const std::string& others, const std::string& members) {
   loadBuiltInPlugins();
@@ -98,7 +98,7 @@ void expectSame(const Record& expected, const Record& found) {
   }
 }
 
-/// Turns to 0.7 rad, where a prey stands, grips it, turns back with it, and lets it turn.
+/// Turns to a prey at 0.7 rad, grips it, turns back with it, and releases the motor.
 template <class Motor>
 void turn(Motor& motor, int tick) {
   if (tick < 12) {
@@ -112,7 +112,7 @@ void turn(Motor& motor, int tick) {
 
 constexpr int kClosesAt = 8;
 
-// 0.18 m from the footbot, at 0.7 rad
+// a prey 0.18 m from the footbot, at 0.7 rad
 const std::string kPrey =
     "<cylindric_prey id='prey'><position>2.1376716,2.1159592,0</position><orientation>0,0,0</orientation>"
     "<radius>0.06</radius><height>0.1</height></cylindric_prey>";
@@ -158,7 +158,7 @@ TEST(PartsOfAnyRobotTest, AFootbotsTurretAndGripperInEachEngine) {
        {"<kinematics2d id='e'/>", "<dynamics2d id='e'><subclock>10</subclock></dynamics2d>", "<dynamics3d id='e'/>"}) {
     SCOPED_TRACE(engine);
     const Record expected = turretRun(engine);
-    // without load it turns with 3 rad/s; readings are of the tick before
+    // without load it turns at 3 rad/s; readings are those of the tick before
     EXPECT_EQ(expected.readings[0].angle, 0.0);
     EXPECT_NEAR(expected.readings[1].angle, 0.3, 1e-9);
     EXPECT_NEAR(expected.readings[2].angle, 0.6, 1e-9);
@@ -169,8 +169,8 @@ TEST(PartsOfAnyRobotTest, AFootbotsTurretAndGripperInEachEngine) {
   }
 }
 
-constexpr std::size_t kElbow = 1;  // the left one
-constexpr std::size_t kRope = 2;   // of the holders
+constexpr std::size_t kElbow = 1;  // left elbow, index of the joint
+constexpr std::size_t kRope = 2;   // index of the holder
 const double kAngles[] = {-0.9, 0.55, 1.1, 0.35, -0.65, -2.1};
 constexpr double kWinding = 0.13;  // m/s
 constexpr int kWindsAt = 20;
@@ -223,7 +223,7 @@ TEST(PartsOfAnyRobotTest, AHandbotsSixJointsAndItsRope) {
   const Record expected = armsRun();
   EXPECT_NEAR(expected.readings[kWindsAt].angle, 0.55, 0.01);
   ASSERT_TRUE(expected.readings[kWindsAt].is_holding);
-  // from the 10th tick of winding to the 25th
+  // from the 10th to the 25th tick of winding
   EXPECT_NEAR(expected.readings[kWindsAt + 10].length - expected.readings[kWindsAt + 25].length, 15 * 0.1 * kWinding,
               0.01);
   expectSame(expected, armsByJointsRun());

@@ -1,5 +1,5 @@
-// The installed experiment `phototaxis`: footbots follow the light from lamp to lamp, and do not where it does not move
-// or where they do not see it.
+// The installed experiment `phototaxis`: footbots follow the light from lamp to lamp, but not if it does not switch or
+// if they cannot detect it.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -10,12 +10,12 @@
 namespace swarmanoid::test {
 namespace {
 
-// All bounds of this test. The lamps are 3 m from each other, and 40 s are enough for 6 m.
-constexpr std::uint64_t kHalfPeriod = 400;  // ticks for which one lamp is lit
-constexpr double kArrived = 0.7;            // m: the mean distance of those that came to the lamp is less
-constexpr double kNotArrived = 1.3;         // m: of those that did not it is more
+// Limits of this test. The lamps are 3 m apart, and in 40 s a robot can drive 6 m.
+constexpr std::uint64_t kHalfPeriod = 400;  // ticks during which a lamp is lit
+constexpr double kArrived = 0.7;            // m, maximum mean distance of robots that have reached the lamp
+constexpr double kNotArrived = 1.3;         // m, minimum mean distance of robots that have not
 
-/// @param found what of the file is replaced; "": nothing @param put by what
+/// @param found part of the file to replace; "": none @param put its replacement
 std::unique_ptr<Simulation> phototaxis(std::uint64_t seed, const std::string& found = "", const std::string& put = "",
                                        int threads = 1) {
   loadBuiltInPlugins();
@@ -40,7 +40,7 @@ void tickUntil(Simulation& simulation, std::uint64_t tick) {
   }
 }
 
-/// Seen from above; computed apart from the rule.
+/// In the horizontal plane; computed independently of the rule.
 double meanDistance(const Simulation& simulation, const std::string& lamp) {
   double sum = 0.0;
   for (const char* robot : {"fb_1", "fb_2", "fb_3", "fb_4"}) {

@@ -1,5 +1,5 @@
-// The installed experiment `predators`: what one robot makes of neighbours and prey, by hand; and the pattern of Spears
-// et al. (2004), in which neighbours are as far from each other as the force says, from any start.
+// The installed experiment `predators`: reactions of one robot to neighbours and prey, computed by hand; and the
+// pattern of Spears et al. (2004), in which neighbours have the equilibrium distance of the force, from any start.
 #include <gtest/gtest.h>
 
 #include "installed_experiment.hpp"
@@ -24,13 +24,13 @@ class OnePredator : public OneFootbot {
 };
 
 TEST(PredatorsControllerTest, FollowsTheForceOfANeighbourAheadOrBackwards) {
-  // s = 0.4 / 0.41: the force s^3 (1 - s^2) / 0.1859 is 0.2407, which is 0.4814 of that of full speed
+  // s = 0.4 / 0.41: the force s^3 (1 - s^2) / 0.1859 is 0.2407, which gives 0.4814 of full speed
   OnePredator ahead;
   ahead.stepWithNeighbour(0.41, 0.2);
   EXPECT_NEAR(ahead.wheels.speed(), 0.12 * 0.4814 * std::cos(0.2), 1e-4);
   EXPECT_NEAR(ahead.wheels.turnRate(), 1.5 * 0.4814 * 0.2, 1e-3);
   EXPECT_TRUE(ahead.transmitter.sends) << "neighbours must receive it";
-  // s = 0.4 / 0.39: the force is -0.3014; away from what is to the left of ahead is backwards
+  // s = 0.4 / 0.39: the force is -0.3014; the direction away from a neighbour ahead on the left is backwards
   OnePredator behind;
   behind.stepWithNeighbour(0.39, 0.2);
   EXPECT_NEAR(behind.wheels.speed(), -0.12 * 0.6029 * std::cos(0.2), 1e-4);
@@ -60,12 +60,12 @@ TEST(PredatorsControllerTest, ThePreyAttractsFromFarAwayByItsShareOfTheStrongest
   EXPECT_NEAR(near.wheels.speed(), -0.12 * 0.6029, 1e-4) << "it repels as a neighbour does";
 }
 
-// All bounds of this test. In a grid at rest neighbours are at `distance`. The prey's pull presses the grid a little:
-// by the slope of the force, 10.8 for each part of the distance, its 0.05 upon each of two outer rows, carried by two
-// neighbours at 30 degrees to it, by 2 * 0.05 / (10.8 * 2 * cos 30) = 0.5 % on the whole, and by a few times that where
-// it adds up.
-constexpr double kPressed = 0.05;  // part of the distance by which the mean may be less
-constexpr double kUnequal = 0.12;  // by which the farthest and the nearest neighbour may be off
+// Limits of this test. In a grid at rest neighbours have the distance `distance`. The prey's attraction compresses the
+// grid slightly: its force of 0.05 on each of two outer rows is carried by two neighbours at 30 degrees, and the slope
+// of the force is 10.8 per relative distance. This gives 2 * 0.05 / (10.8 * 2 * cos 30) = 0.5 % on average, and a few
+// times that where the forces add up.
+constexpr double kPressed = 0.05;  // maximum relative reduction of the mean distance
+constexpr double kUnequal = 0.12;  // maximum relative deviation of the nearest and the farthest neighbour
 constexpr std::uint64_t kSeeds = 5;
 
 class PredatorsExperimentTest : public testing::TestWithParam<double> {};

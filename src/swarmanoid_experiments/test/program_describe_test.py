@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`swarmanoid describe` prints what headers, simulations and engines say of a device, as Markdown."""
+"""`swarmanoid describe` prints the descriptions of a device in headers, simulations and engines, as Markdown."""
 
 import pathlib
 import re

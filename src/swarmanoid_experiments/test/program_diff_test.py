@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`swarmanoid diff` names the tick and the fields in which recorded runs part, and says of equal ones that they are."""
+"""`swarmanoid diff` names the tick and the fields in which recorded runs diverge, or reports that they are equal."""
 
 import re
 import unittest
@@ -36,7 +36,7 @@ class DiffTest(ProgramTest):
         self.assertTrue(fields)
 
     def test_what_differs_first_is_named_first(self):
-        """Robots that are slower command otherwise before they are elsewhere."""
+        """Slower robots differ in their commands before they differ in their positions."""
         radius = 0.029  # [m] of a wheel
         self.record("a.bag", "--ticks", 9, experiment="diffusion")
         self.record("b.bag", "--ticks", 9, "--set", "controllers.diffusion.parameters.speed=0.06", experiment="diffusion")

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The program and controllers whose calls do not return: signals and the watchdog end them, files and summary are
-kept."""
+"""The program with controllers whose calls do not return: signals and the watchdog end them, and files and summary
+are saved."""
 
 import fcntl
 import json
@@ -74,13 +74,13 @@ class EndlessTest(MisbehavingTest):
         (self.folder / "world.xml").write_text(world("step", "sleep_7"))
         ours, theirs = os.pipe()
         size = fcntl.fcntl(ours, fcntl.F_GETPIPE_SZ)
-        os.write(theirs, size * b" ")  # so that the summary waits until this is read
+        os.write(theirs, size * b" ")  # the summary blocks until this is read
         with open(ours, encoding="utf-8") as output, subprocess.Popen(
                 ["swarmanoid", "run", "world.xml", "--quiet", "--force", "--watchdog", "6", "--hashes", "hashes.txt"],
                 cwd=self.folder, stdout=theirs, stderr=subprocess.PIPE, encoding="utf-8") as process:
             os.close(theirs)
             self.read_until(process, f"watchdog: more than 6 s in step of {NAME}, tick 3")
-            time.sleep(3.0)  # the call returns after one of them
+            time.sleep(3.0)  # the call returns after one second
             summary = json.loads(output.read())
             self.assertEqual(process.wait(timeout=TIMEOUT), CONTROLLER_FAILED)
         self.assertEqual((summary["ticks"], summary["finished"]), (3, False))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Which files a run may write: those of the experiment file in the folder of --out, none that is there already, none that
-it reads, none twice."""
+"""Files that a run may write: those of the experiment file inside the folder of --out, no existing file, no file that
+it reads, no file twice."""
 
 import os
 import pathlib
@@ -41,7 +41,7 @@ class ConfinementTest(ProgramTest):
 
 class OverwriteTest(ProgramTest):
     def assert_kept(self, file, text, message, *arguments):
-        """The run is refused with this message, and the file is as it was."""
+        """Expects this message, and an unchanged file."""
         file.write_text(text)
         done = self.call("run", *arguments, "--quiet")
         self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""), arguments)

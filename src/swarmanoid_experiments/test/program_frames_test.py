@@ -13,7 +13,7 @@ import swarmanoid
 
 from program_world import BAD_INPUT, FINISHED, STOPPED, ProgramTest
 
-# the wall of the small experiment from 3 m straight above, and the robot: it stands still
+# the wall of the small experiment from 3 m straight above, and the robot at rest
 RENDER = """<opengl_render id="view">
   <window_size>121, 81</window_size>
   <camera_view_XYZ_0>5, 5, 3</camera_view_XYZ_0><camera_view_HPR_0>90, -90, 0</camera_view_HPR_0>
@@ -46,7 +46,8 @@ BETWEEN = """<interventions>
 </interventions>
 """
 FLOOR, WALL = (0.82, 0.83, 0.85), (0.55, 0.57, 0.6)
-LEVEL = 0.5 + 0.5 / (0.4**2 + 0.55**2 + 1) ** 0.5  # of a colour: half of it is the sun's, by the sine of its height
+LEVEL = 0.5 + 0.5 / (0.4**2 + 0.55**2 + 1) ** 0.5  # of a colour: half of it comes from the sun, scaled by the sine of
+                                                   # its elevation
 
 
 def render(more="", text=RENDER):
@@ -66,7 +67,7 @@ class FramesTest(ProgramTest):
         picture = self.frame("frame_000002.png")
         self.assertEqual(picture.shape, (81, 121, 3))
         numpy.testing.assert_allclose(picture[40, 60], LEVEL * numpy.array(WALL), atol=0.005)
-        # 1 m long and 0.1 m thick, from south-west to north-east, its top half a metre high: a pixel shows 2.4 cm of it
+        # 1 m long and 0.1 m thick, from south-west to north-east, its top at half a metre: a pixel covers 2.4 cm of it
         scale = 2 * numpy.tan(numpy.radians(30)) * 2.5 / 121
         for along, expected in ((0.45, WALL), (-0.45, WALL)):
             row, column = round(40 - along * 0.5**0.5 / scale), round(60 + along * 0.5**0.5 / scale)
@@ -97,7 +98,7 @@ class FramesTest(ProgramTest):
         numpy.testing.assert_array_equal(after, and_after)
 
     def moving_world(self, more, quantity=1):
-        """Footbots that drive, seen from above; one in the middle."""
+        """Driving footbots seen from above, with one in the middle."""
         file = self.folder / "moving.xml"
         render = RENDER.replace("<every>8</every>", "").format(more=more).replace("5, 5, 3<", "5, 5, 6<")
         file.write_text(MOVING.format(quantity=quantity, render=render))
@@ -225,7 +226,7 @@ class RefusedTest(ProgramTest):
 
 class DeclaredTest(ProgramTest):
     def declare(self, library, label):
-        """As a package of somebody's does that is installed."""
+        """Declares the library like an installed package."""
         declared = self.folder / "share/swarmanoid/plugins"
         declared.mkdir(parents=True)
         (declared / library).write_text(f"my_package\nvisualisation {label}\n")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`swarmanoid run --interventions` does to a run what a file says, and `--save-interventions` writes such a file."""
+"""`swarmanoid run --interventions` applies the interventions of a file, and `--save-interventions` writes such a file."""
 
 import pathlib
 import re

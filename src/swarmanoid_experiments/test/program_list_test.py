@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`swarmanoid list` names all that the schema and the reference page name, and every plugin that is installed."""
+"""`swarmanoid list` prints all names of the schema and the reference page, and every installed plugin."""
 
 import pathlib
 import re

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The program and controllers that throw, crash or change the process: they are named, files and summary are kept, the
-exit code says it."""
+"""The program with controllers that throw, crash or change the process: it names them, saves files and summary, and
+returns the matching exit code."""
 
 import json
 import os
@@ -75,7 +75,7 @@ class CrashTest(MisbehavingTest):
         for action, what in CRASHES.items():
             for phase, named in (("init", "init"), ("destroy", "destroy"), ("destructor", "destruction")):
                 if (action, phase) == ("thread_exit", "destructor"):
-                    what = "crashed: SIGABRT"  # nothing leaves a destructor
+                    what = "crashed: SIGABRT"  # an exception cannot leave a destructor
                 with self.subTest(action=action, phase=phase):
                     code, summary, errors = self.misbehave(phase, action)
                     self.assertEqual(code, CONTROLLER_FAILED, errors)
@@ -86,7 +86,7 @@ class CrashTest(MisbehavingTest):
                         self.assert_table(20)
 
     def test_the_state_hash_is_that_of_the_last_tick_whatever_a_controller_writes_when_it_goes(self):
-        before, plugin = PLACES[ENGINE]  # from which the controller knows where to write
+        before, plugin = PLACES[ENGINE]  # makes the space known to the controller
         text = world("destroy", "spoil_state").replace(before, before + plugin.format("<phase>never</phase><action>nothing</action>"))
         (self.folder / "world.xml").write_text(text)
         done = self.call("run", "world.xml", "--quiet", "--force", "--hashes", "hashes.txt")
@@ -113,14 +113,14 @@ class CrashTest(MisbehavingTest):
         for action in ("free_twice", "spoil_heap"):
             with self.subTest(action=action):
                 code, _, errors = self.misbehave("step", action)
-                # whoever uses memory next is named: the controller, another plugin, or the simulator
+                # the message names the next user of memory: the controller, another plugin, or the simulator
                 self.assertIn(code, (CONTROLLER_FAILED, STOPPED, -signal.SIGABRT, -signal.SIGBUS, -signal.SIGSEGV))
                 self.assertIn("swarmanoid: crashed: SIG", errors)
 
 
 class SurroundingsTest(MisbehavingTest):
     def outputs(self, phase, action, environment=""):
-        """Exit code, summary without times, table and hashes of a run."""
+        """Returns exit code, summary without times, table and hashes of a run."""
         code, summary, errors = self.misbehave(phase, action, "--hashes", "hashes.txt", "--profile", maxclock=1200,
                                                environment=environment)
         for name in ("wall_s", "real_time_factor", "robot_ticks_per_s"):

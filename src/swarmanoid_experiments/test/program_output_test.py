@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What runs of the program `swarmanoid` leave behind: the table of thesis figure 3.11, complete files after Ctrl-C, and
-what they say meanwhile."""
+"""Outputs of runs of the program `swarmanoid`: the table of thesis figure 3.11, complete files after Ctrl-C, and log lines
+during the run."""
 
 import json
 import math
@@ -16,14 +16,14 @@ import rosbag
 
 from program_world import CONTROLLER_FAILED, FINISHED, HEADER, INTERRUPTED, TABLE, WORLD, ProgramTest, table_of
 
-# as printed, but for the column in which nothing stands
+# as printed, except the empty column
 FIGURE = (pathlib.Path(__file__).parent / "data" / "figure_3_11.txt").read_text().replace("\t\t", "\t")
 WHEEL_RADIUS = 0.029  # m
 
 
 class TextTableTest(ProgramTest):
     def test_figure_3_11_comes_out_as_it_is_printed(self):
-        """The figure's entities, in no engine: they stay where the file puts them, so tick 10 is the figure."""
+        """The figure's entities are in no engine, so they keep the positions of the file, and tick 10 is the figure."""
         entities = ""
         for line in FIGURE.splitlines():
             _, kind, name, *numbers = line.split("\t")
@@ -63,7 +63,7 @@ class TextTableTest(ProgramTest):
 
 
 class LogTest(ProgramTest):
-    """Robots' logs: a line each, whole, and none between them."""
+    """Logs of robots: whole lines, one for each entry."""
 
     def test_lines_of_robots_that_step_in_several_threads(self):
         robots = 300
@@ -76,7 +76,7 @@ class LogTest(ProgramTest):
             self.assertRegex(line, r"^world \[[#.]{40}\] \d of at most 5 ticks, [0-9.]+ s simulated, \d+ ticks/s(, about .* left)?$")
 
     def crowd(self, robots):
-        """The small world with many robots that talk, and nothing else."""
+        """The small world with many robots that log, without other entities."""
         begin, end = WORLD.index("    <footbot"), WORLD.index("  </arena>")
         many = "".join(f'    <footbot id="fb_{i}"><position>{0.3 + i % 20 * 0.4:.1f}, {0.3 + i // 20 * 0.4:.1f}, 0</position>'
                        "<orientation>0, 0, 90</orientation><controller>fc</controller></footbot>\n" for i in range(robots))
@@ -99,7 +99,7 @@ class LogTest(ProgramTest):
         self.assertEqual(process.returncode, CONTROLLER_FAILED)
         lines = output.decode(errors="replace").split("\r\n")
         self.assertEqual(lines.pop(), "", "the last line is ended")
-        shown = [line.split("\r")[-1].replace("\x1b[K", "") for line in lines]  # what the last of each row is
+        shown = [line.split("\r")[-1].replace("\x1b[K", "") for line in lines]  # final content of each row
         self.assertEqual(len(shown), 2, lines)
         self.assertRegex(shown[0], "^fb: controller failed in tick 3, the robot stops: told to, .$")
         self.assertIn("20 of at most 20 ticks", shown[1])
@@ -107,7 +107,7 @@ class LogTest(ProgramTest):
 
 class InterruptTest(ProgramTest):
     def interrupted(self, number):
-        """A run that would take for ever, interrupted once it has got somewhere. @return exit code and summary"""
+        """Runs for ever, and is interrupted after some progress. @return exit code and summary"""
         bag = self.folder / "run.bag"
         arguments = ["swarmanoid", "run", self.world(maxclock=10**9), "--quiet", "--out", str(self.out), "--bag", str(bag)]
         table = self.out / "table.txt"

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The program and engines, devices, rules and visualisations that misbehave: they are named, files and summary are kept, the
-exit code says it."""
+"""The program with misbehaving engines, devices, rules and visualisations: it names them, saves files and summary, and
+returns the matching exit code."""
 
 import json
 import pathlib
@@ -14,12 +14,12 @@ from program_world import BAD_INPUT, FINISHED, INTERRUPTED, STOPPED
 
 
 class PluginTest(MisbehavingTest):
-    """Engines, devices, rules, visualisations: who it was is named, and the ticks before are kept."""
+    """Engines, devices, rules, visualisations: the message names the plugin, and the ticks before are saved."""
     CALLS = ((ENGINE, "readMirrors"), (ENGINE, "move"), (ENGINE, "connect"), (SENSOR, "sense"), (SENSOR, "report"),
              (ACTUATOR, "actuate"), (ACTUATOR, "afterMove"), (RULE, "beforeTick"))
 
     def assert_ended(self, outcome, reason, ticks, rows=None):
-        """The run has stopped after so many ticks, of which the table has those rows."""
+        """Expects that the run stopped after `ticks` ticks, `rows` of which are in the table."""
         code, summary, errors = outcome
         self.assertEqual(code, STOPPED, errors)
         self.assertEqual(errors.splitlines()[-1], f"swarmanoid: {reason}")
@@ -60,7 +60,7 @@ class PluginTest(MisbehavingTest):
                                   f"{CRASHES[action]} in move of {ENGINE}, tick 3", 3)
 
     def test_visualisations_that_crash_do_not_keep_others_from_completing_their_files(self):
-        # the table comes after them
+        # the table's visualisation follows them
         for phase, when, ticks, rows in (("draw", ", tick 3", 3, 2), ("flush", "", 0, 0), ("finish", "", 20, 20)):
             for action in ("segv_read", "abort", "wait_for_itself"):
                 with self.subTest(phase=phase, action=action):
@@ -75,7 +75,7 @@ class PluginTest(MisbehavingTest):
                 with self.subTest(who=who, action=action):
                     message = f"swarmanoid: {what} in configure of {who}\n"
                     self.assertEqual(self.misbehave("configure", action, who=who), (STOPPED, None, message))
-                    if who != VISUALISATION:  # those are not made to validate a file
+                    if who != VISUALISATION:  # validation does not create them
                         done = self.call("validate", "world.xml")
                         self.assertEqual((done.returncode, done.stdout, done.stderr), (STOPPED, "", message))
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`swarmanoid rerun` makes a recorded run again of a folder or a bag, says whether each tick is the same, and parts from it."""
+"""`swarmanoid rerun` repeats a recorded run from a folder or a bag, compares each tick, and forks it."""
 
 import json
 import os
@@ -34,14 +34,14 @@ class RerunTest(ProgramTest):
         return done
 
     def wait_for_hashes(self):
-        """Until some thousands of those of a run that is under way are in the record."""
+        """Waits until the record of a run in progress has some thousands of hashes."""
         hashes = self.folder / "done/hashes.txt"
         until = time.monotonic() + 30
         while time.monotonic() < until and not (hashes.exists() and hashes.stat().st_size > 100000):
             time.sleep(0.05)
 
     def forget(self, *names):
-        """What the run was made of goes, and the record elsewhere."""
+        """Removes the run's input files, and moves the record elsewhere."""
         for name in ("world.xml", "done.xml", *names):
             (self.folder / name).unlink()
         shutil.rmtree(self.out)

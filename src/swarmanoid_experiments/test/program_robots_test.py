@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Which devices a robot of somebody else's has: those of any robot, and those that its description lists."""
+"""Devices of a robot from another package: those of any robot, and those that its description lists."""
 
 import pathlib
 import re
@@ -65,7 +65,7 @@ class RobotsTest(ProgramTest):
 
 
 class CheckRobotTest(ProgramTest):
-    """`check-robot` on an e-puck, good and damaged."""
+    """`check-robot` on an e-puck with a valid or a damaged description."""
 
     def setUp(self):
         super().setUp()
@@ -73,7 +73,7 @@ class CheckRobotTest(ProgramTest):
         self.text = (ROBOT / "urdf/e_puck.urdf").read_text()
 
     def check(self, *changes):
-        """@return the finished program, on the description with some texts replaced"""
+        """@return the finished program, for the description with some texts replaced"""
         text = self.text
         for old, new in changes:
             self.assertIn(old, text)

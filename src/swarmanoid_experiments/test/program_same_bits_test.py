@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""One result on any x86-64: all installed experiments end in one state, whatever of this processor is hidden from the C
-library, whose sine, cosine and their like differ in the last bit where the processor multiplies and adds in one step."""
+"""One result on any x86-64: all installed experiments end in the same state, with and without the FMA instructions of this
+processor. With them, the C library's sine, cosine and similar functions would differ in the last bit."""
 
 import json
 import os
@@ -23,7 +23,7 @@ def can_fuse():
 
 
 def run(*arguments, tunables=None):
-    """@return the summary of a run in an environment with these tunables"""
+    """@return summary of a run in an environment with these tunables"""
     environment = {name: value for name, value in os.environ.items() if name != TUNABLES}
     if tunables is not None:
         environment[TUNABLES] = tunables
@@ -36,7 +36,7 @@ def run(*arguments, tunables=None):
 
 def experiments():
     listed = subprocess.run(["swarmanoid", "list", "experiment"], stdout=subprocess.PIPE, encoding="utf-8", check=True)
-    return listed.stdout.split()[1:]  # under a heading
+    return listed.stdout.split()[1:]  # below a heading
 
 
 @unittest.skipUnless(can_fuse(), "this processor has no FMA, so there is nothing to hide")
@@ -57,7 +57,7 @@ class SameBitsTest(unittest.TestCase):
                                  r"^glibc 2\.\d+, any x86-64$")
 
     def test_the_program_is_replaced_by_itself_and_not_by_a_child(self):
-        """Signals, time limits and lists of processes know the process that was started."""
+        """Signals, time limits and process lists refer to the process that was started."""
         environment = {name: value for name, value in os.environ.items() if name != TUNABLES}
         process = subprocess.Popen(["swarmanoid", "run", "diffusion", "--ticks", "1000000000", "--quiet"],
                                    stdout=subprocess.PIPE, env=environment)

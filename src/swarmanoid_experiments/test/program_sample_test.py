@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`swarmanoid sample` writes tables of sensors, which experiments read."""
+"""`swarmanoid sample` writes tables of sensors that experiments can read."""
 
 import pathlib
 import unittest
@@ -9,7 +9,7 @@ from program_world import FINISHED, ProgramTest
 
 class SampleTest(ProgramTest):
     def sample(self, *arguments):
-        """@return the lines of the table"""
+        """@return lines of the table"""
         done = self.call("sample", *arguments, "--out", "table.csv", "--force")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (FINISHED, "", ""))
         return (self.folder / "table.csv").read_text().splitlines()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`swarmanoid schema` describes all that is installed, and with --suite what this project brings alone."""
+"""`swarmanoid schema` describes all installed plugins, and with --suite only those of this project."""
 
 import pathlib
 import shutil
@@ -20,7 +20,7 @@ class SchemaTest(ProgramTest):
         return done.stdout
 
     def refusal(self, schema, experiment):
-        """@return what xmllint says of the text of an experiment, nothing if it is valid"""
+        """@return message of xmllint about the text of an experiment, empty if it is valid"""
         (self.folder / "schema.xsd").write_text(schema)
         (self.folder / "case.xml").write_text(experiment)
         done = subprocess.run(["xmllint", "--noout", "--schema", "schema.xsd", "case.xml"], cwd=self.folder,

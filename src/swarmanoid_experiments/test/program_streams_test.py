@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The program `swarmanoid` and its standard streams: output that is lost is an error, and a closed stream's number goes to
-no file."""
+"""The program `swarmanoid` and its standard streams: lost output is an error, and no file gets the number of a closed
+stream."""
 
 import contextlib
 import json
@@ -18,9 +18,9 @@ CLOSED = "swarmanoid: standard output: found it closed, allowed: a file, a pipe 
 
 
 def read_all(terminal):
-    """What was written to it, in as many pieces as the kernel likes."""
+    """Reads all data from a terminal, in pieces of any size."""
     data = b""
-    with contextlib.suppress(OSError):  # nothing more, and nobody holds the other side
+    with contextlib.suppress(OSError):  # no more data, and the other side is closed
         while piece := os.read(terminal, 65536):
             data += piece
     return data
@@ -28,7 +28,7 @@ def read_all(terminal):
 
 class StreamsTest(ProgramTest):
     def shell(self, *arguments, redirection):
-        """The program as a shell starts it. @return exit code and what came to the error stream"""
+        """Starts the program by a shell. @return exit code and error stream"""
         done = subprocess.run(["sh", "-c", f'exec swarmanoid "$@" {redirection}', "sh", *map(str, arguments)],
                               cwd=self.folder, timeout=60, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               encoding="utf-8", errors="replace", check=False)

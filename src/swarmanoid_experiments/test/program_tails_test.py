@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is left of a run that is ended from outside, or whose disk is full: all that came before."""
+"""Files of a run that is ended from outside, or whose disk is full: all data before that time are complete."""
 
 import json
 import os
@@ -22,7 +22,7 @@ FULL = "No space left on device"
 
 class TailsTest(ProgramTest):
     def start(self, *arguments, visualisations=FILES, **options):
-        """A run without end that writes all there is, and nothing of an earlier one is there."""
+        """Starts an endless run that writes all kinds of files, in an empty folder."""
         for file in self.folder.iterdir():
             file.unlink()
         command = ["swarmanoid", "run", self.world(maxclock=LONG, visualisations=visualisations), "--quiet",
@@ -41,14 +41,14 @@ class TailsTest(ProgramTest):
         return file.exists() and file.stat().st_size > size
 
     def reindexed_ticks(self, bag="run.bag"):
-        """What `rosbag reindex` saves."""
+        """Returns the ticks that `rosbag reindex` recovers."""
         done = subprocess.run(["rosbag", "reindex", "--force", bag], cwd=self.folder, timeout=120, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, encoding="utf-8", check=False)
         self.assertEqual(done.returncode, 0, done.stdout)
         return self.ticks_in(self.folder / bag)
 
     def last_whole_tick(self, name):
-        """Of a text with the tick in the first column."""
+        """Returns the last tick in a text with ticks in the first column."""
         lines = (self.folder / name).read_text().split("\n")[:-1]
         return int([line for line in lines if not line.startswith("#")][-1].split()[0])
 
@@ -118,14 +118,14 @@ class SignalTest(TailsTest):
     def test_a_pipe_that_nobody_reads_does_not_end_the_run(self):
         arguments = ["swarmanoid", "run", self.world(maxclock=2000, visualisations=""), "--bag", "run.bag"]
         with subprocess.Popen(arguments, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-            process.stderr.close()  # the progress bar goes nowhere
+            process.stderr.close()  # no reader for the progress bar
             json.loads(process.stdout.read())
         self.assertEqual(process.returncode, FINISHED)
         self.assertEqual(self.ticks_in(self.folder / "run.bag"), list(range(2001)))
 
 
 class KillTest(TailsTest):
-    """What a run writes is in its files each second, also if it is little."""
+    """A run flushes its files every second, even if it writes little."""
 
     SELDOM = ('<text_render id="t"><file>table.txt</file><every>5000</every></text_render>'
               '<rosbag_recorder id="b" library="swarmanoid_recording"><file>run.bag</file><every>5000</every></rosbag_recorder>')
@@ -141,7 +141,7 @@ class KillTest(TailsTest):
             ticks = self.reindexed_ticks()
             self.assertEqual(ticks, list(range(0, 5000 * len(ticks), 5000)))
             self.assertGreater(len(ticks), 0, "the state before the first tick at the least")
-            if delay > 1.5:  # it is a second and no more; this is generous to a machine that is busy
+            if delay > 1.5:  # the interval is one second; a busy machine gets more time
                 self.assertGreater(len(ticks), 1)
                 self.assertGreater(self.last_whole_tick("table.txt"), 0)
 
@@ -186,7 +186,7 @@ class FullDiskTest(TailsTest):
         self.assertEqual(self.ticks_in(self.folder / "run.bag"), list(range(21)))
 
     def test_a_file_at_its_limit_is_a_full_disk(self):
-        """A limit on the size of files needs no rights, unlike a small file system. The bag is complete as far as it goes."""
+        """A limit on the file size needs no rights, unlike a small file system. The bag is complete up to that size."""
         limit = 3000000
         process = self.start("--bag", "run.bag", visualisations="",
                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))

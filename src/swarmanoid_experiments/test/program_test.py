@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The program `swarmanoid`: exit codes, options, summaries, and what is left behind when something is wrong."""
+"""The program `swarmanoid`: exit codes, options, summaries, and files after errors."""
 
 import json
 import pathlib
@@ -126,7 +126,7 @@ class RefusalTest(ProgramTest):
         file = self.world(maxclock=0)
         self.assert_refused(file + ":2: maxclock: found '0', allowed: a whole number from 1 to 1e+15",
                             "run", file, "--out", self.out)
-        # found only while the world is built
+        # detected only while the world is built
         overlapping = self.world()
         self.assert_refused(overlapping + ":11: block 'wall' in engine 'ground': overlaps 'fb'",
                             "run", overlapping, "--out", self.out / "deep", "--set", "arena.wall.position=2,3,0.25")
@@ -194,7 +194,7 @@ class OtherCommandsTest(ProgramTest):
         self.assertEqual(self.call("validate", file).returncode, BAD_INPUT, "it is not there")
         valid = f"{file}: valid as far as can be told without {library}"
         self.assertEqual(self.call("validate", "--no-libraries", file).stdout, valid + ", 2 entities, 1 robots\n")
-        # what needs no library is checked all the same
+        # the parts without a library are checked nevertheless
         self.assert_refused(file + ":11: block 'wall' in engine 'ground': overlaps 'fb'", "validate", "--no-libraries", file,
                             "--set", "arena.wall.position=2,3,0.25")
         file = self.world(text=WORLD.replace("<footbot_wheels/>", "<footbot_wheel/>"), visualisations=odometer)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`run --trajectories`: arrays that are the run, whatever comes and goes in it, and whoever ends it."""
+"""`run --trajectories`: the arrays equal the run, with entities that appear and disappear, and however the run ends."""
 
 import csv
 import json
@@ -17,7 +17,7 @@ import swarmanoid
 from program_world import BAD_INPUT, FINISHED, INTERRUPTED, STOPPED, ProgramTest
 
 FILE = "run.h5"
-MUCH = 1_000_000  # bytes of a file that are there only when its first rows were flushed
+MUCH = 1_000_000  # bytes, a file size that is reached only after the first rows were flushed
 COMES_AND_GOES = """<interventions>
   <spawn tick="3" engines="ground"><footbot id="late"><position>8, 8, 0</position><orientation>0, 0, 0</orientation></footbot></spawn>
   <move tick="6" entity="wall"><position>6, 5, 0.25</position><orientation>0, 0, 45</orientation></move>
@@ -28,7 +28,7 @@ COMES_AND_GOES = """<interventions>
 
 class TrajectoriesTest(ProgramTest):
     def record(self, experiment, *arguments):
-        """@return the summary, and what was recorded"""
+        """@return summary and recording"""
         done = self.call("run", experiment, "--quiet", "--force", "--trajectories", FILE, *arguments)
         self.assertEqual(done.returncode, FINISHED, done.stderr)
         return json.loads(done.stdout), swarmanoid.load(self.folder / FILE)
@@ -92,7 +92,7 @@ class ArraysTest(TrajectoriesTest):
         self.assertEqual(recording.overrides, (f"{path}=5000", "framework.random_seed=9"))
         self.assertEqual((recording.experiment, recording.seed, recording.complete, recording.finished, len(recording.ticks)),
                          ("world", 9, True, True, 8))
-        with h5py.File(self.folder / FILE) as file:  # what others see, who have no loader
+        with h5py.File(self.folder / FILE) as file:  # as read without the loader
             self.assertEqual((file.attrs["format"], file.attrs["state_hash"]), ("swarmanoid trajectories", summary["state_hash"]))
             self.assertEqual((file["pose"].attrs["unit"], file["pose"].attrs["frame"], file["time"].attrs["unit"]),
                              ("m; quaternion without unit", "W", "s"))
@@ -140,7 +140,7 @@ class ArraysTest(TrajectoriesTest):
 
 
 class EndTest(TrajectoriesTest):
-    """What is written stays, whatever ends the run."""
+    """Written data remain, however the run ends."""
 
     def start(self, **options):
         world = self.world(maxclock=10**9, visualisations="")
@@ -156,7 +156,7 @@ class EndTest(TrajectoriesTest):
             time.sleep(0.01)
 
     def assert_is_the_beginning(self, recording):
-        """Of the run, without a row missing or wrong."""
+        """Expects the first rows of the run, complete and correct."""
         self.assertEqual(list(recording.ticks), list(range(len(recording.ticks))))
         self.assertTrue(recording.present.all())
         _, again = self.record(self.world(maxclock=10**9, visualisations=""), "--ticks", len(recording.ticks) - 1)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The version that the program says: the package's, and the commit, as of the last build."""
+"""The version that the program prints: that of the package, and the commit at the last build."""
 
 import pathlib
 import re
@@ -25,7 +25,7 @@ class VersionTest(ProgramTest):
                               encoding="utf-8").stdout.strip()
 
     def written(self, source=None, git=shutil.which("git")):
-        """What a build writes. @return the commit in it"""
+        """Writes the version file as a build does. @return the commit in it"""
         file = self.folder / "out.cpp"
         subprocess.run(["cmake", f"-DSOURCE={source or self.folder}", "-DVERSION=1.2.3", f"-DGIT={git}",
                         f"-DOUTPUT={file}", "-P", PACKAGE.parent / "swarmanoid_space/cmake/write_version.cmake"], check=True)
@@ -50,7 +50,7 @@ class VersionTest(ProgramTest):
         self.assertNotEqual(second, first)
         self.assertEqual(self.written(), second)
         self.assertEqual(self.written(git="GIT_EXECUTABLE-NOTFOUND"), "unknown")
-        # a copy in somebody else's repository
+        # a copy inside another repository
         (self.folder / "copy").mkdir()
         (self.folder / "copy/package.xml").write_text("one")
         self.assertEqual(self.written(self.folder / "copy"), "unknown")

@@ -1,4 +1,4 @@
-"""What the tests of the program `swarmanoid` share: a small experiment, and running the program on it."""
+"""Shared by the tests of the program `swarmanoid`: a small experiment, and functions that run the program on it."""
 
 import json
 import os
@@ -31,7 +31,7 @@ TABLE = '<text_render id="table"><file>table.txt</file></text_render>'
 HEADER = "#clock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n"
 
 def table_of(file, test):
-    """@return what stands between the lines that say of which run a table is, and how it ended"""
+    """@return lines between the first one, which identifies the run of a table, and the last one, which describes its end"""
     first, *lines, last = file.read_text().splitlines(keepends=True)
     test.assertRegex(first, r"^# \w+, seed \d+, swarmanoid [0-9.]+(\+[0-9a-f]+(\.dirty)?)?\n$")
     test.assertRegex(last, r"^# ended after \d+ ticks, state hash [0-9a-f]{16}\n$")
@@ -42,7 +42,7 @@ FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
 
 
 class ProgramTest(unittest.TestCase):
-    """Each test has a folder of its own."""
+    """Each test has its own folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -51,13 +51,13 @@ class ProgramTest(unittest.TestCase):
         self.out = self.folder / "out"
 
     def world(self, maxclock=20, fail_at=-1, visualisations=TABLE, text=WORLD):
-        """Writes the small experiment. @return its file"""
+        """Writes the small experiment. @return path of its file"""
         file = self.folder / "world.xml"
         file.write_text(text.format(maxclock=maxclock, fail_at=fail_at, visualisations=visualisations))
         return str(file)
 
     def put_before_prefixes(self):
-        """Makes the test's folder a prefix, as if a workspace of somebody's were sourced."""
+        """Makes the test's folder a prefix, like a user's sourced workspace."""
         path = os.environ["CMAKE_PREFIX_PATH"]
         self.addCleanup(os.environ.__setitem__, "CMAKE_PREFIX_PATH", path)
         os.environ["CMAKE_PREFIX_PATH"] = f"{self.folder}:{path}"
@@ -69,19 +69,19 @@ class ProgramTest(unittest.TestCase):
                               check=False)
 
     def run_world(self, *arguments, code=FINISHED, **world):
-        """`run` on the small experiment, as often as a test likes. @return its summary"""
+        """`run` on the small experiment; can be repeated. @return its summary"""
         done = self.call("run", self.world(**world), "--quiet", "--force", "--out", self.out, *arguments)
         self.assertEqual(done.returncode, code, done.stderr)
         self.assertEqual(done.stdout.count("\n"), 1, "one line on standard output")
         return json.loads(done.stdout)
 
     def ticks_in(self, bag):
-        """Of the states that a bag holds."""
+        """Returns the ticks of the states in a bag."""
         with rosbag.Bag(str(bag)) as opened:
             return [message.tick for _, message, _ in opened.read_messages("/space/world_state")]
 
     def assert_refused(self, message, *arguments):
-        """The program says this, in one line, prints no summary, and leaves nothing behind."""
+        """Expects this message in one line, no summary, and no new files."""
         before = sorted(self.folder.rglob("*"))
         done = self.call(*arguments)
         self.assertEqual(done.returncode, BAD_INPUT, done.stderr)

@@ -1,5 +1,4 @@
-/// A crowd in one of three engines, and interventions of all kinds that are done to it at random, good ones and bad
-/// ones.
+/// A crowd in one of three engines, and random interventions of all kinds, valid and invalid ones.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +19,7 @@ namespace swarmanoid::test {
 
 inline constexpr std::array<const char*, 3> kEngineIds = {"ground", "forces", "space"};
 
-/// Robots driven at random and preys, all in one of three engines; the others have one robot each.
+/// Randomly driven robots and preys, all in one of three engines; the other engines have one robot each.
 inline World crowdedWorld(const std::string& engine) {
   World world;
   world.ticks = 400;
@@ -50,7 +49,7 @@ inline World crowdedWorld(const std::string& engine) {
   return world;
 }
 
-/// Draws interventions of all kinds, good ones and bad ones.
+/// Draws interventions of all kinds, valid and invalid ones.
 class RandomInterventions {
  public:
   RandomInterventions(std::string engine, std::uint64_t seed)
@@ -92,9 +91,9 @@ class RandomInterventions {
     return prefixes[random_.below(prefixes.size())] + std::to_string(1 + random_.below(4));
   }
   std::string engine() { return random_.below(3) > 0 ? engine_ : kEngineIds[random_.below(kEngineIds.size())]; }
-  /// Some are beyond the arena's border, at 10.
+  /// Some are beyond the arena's border at 10 m.
   Eigen::Vector3d place() { return {random_.uniform(0.3, 10.3), random_.uniform(0.3, 9.7), 0.0}; }
-  /// Some lie on their side.
+  /// Some are tilted onto their side.
   Eigen::Vector3d angles() { return {random_.below(6) == 0 ? 1.5 : 0.0, 0.0, random_.uniform(-M_PI, M_PI)}; }
   Intervention spawn() {
     SpawnEntity result;
@@ -114,11 +113,11 @@ class RandomInterventions {
     }
     result.engines = {engine()};
     if (random_.below(3) == 0) {
-      result.engines.push_back(engine());  // a mirror, or the same once more
+      result.engines.push_back(engine());  // a mirror, or the same engine again
     }
     return result;
   }
-  /// Some devices and kinds that there are not, and some that mend.
+  /// Some with unknown devices and kinds, and some that repair.
   Intervention fault() {
     static const std::array<const char*, 4> devices{"footbot_wheels", "footbot_proximity", "footbot_gripper", "wheels"};
     static const std::array<const char*, 4> kinds{"stuck", "random_walk", "dead", "loose"};
@@ -142,13 +141,13 @@ class RandomInterventions {
   RandomStream random_;
 };
 
-/// What became of random interventions.
+/// Counts of applied and rejected interventions.
 struct Tried {
   std::array<int, std::variant_size_v<Intervention>> carried_out{};
   int refused = 0;
 };
 
-/// Does so many of them to the run, up to four between two ticks. @return the hashes of its ticks
+/// Applies that many interventions to the run, up to four between two ticks. @return the hashes of its ticks
 inline std::vector<std::uint64_t> disturb(Simulation& simulation, RandomInterventions& interventions, int count,
                                           Tried& tried) {
   std::vector<std::uint64_t> hashes;

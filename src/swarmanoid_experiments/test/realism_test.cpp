@@ -1,4 +1,5 @@
-// Presets of devices: one word in the file chooses them, what the file says itself goes first, and a record has them.
+// Presets of devices: one word in the file selects them, the file's own values take precedence, and a record contains
+// them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ class Idle final : public Controller {
   void step(Time, Duration) override {}
 };
 
-/// An eyebot at 1 m, with the parts of a file that may choose a preset.
+/// An eyebot at 1 m, with the parts of a file that may select a preset.
 struct EyebotFile {
   std::string framework = {};
   std::string controller = {};
@@ -43,7 +44,7 @@ struct EyebotFile {
   }
 };
 
-/// "gaussian quantisation": the kinds of errors of the pressure sensor.
+/// Kinds of errors of the pressure sensor, such as "gaussian quantisation".
 std::string errorsOf(const Experiment& experiment) {
   std::string kinds;
   for (const ErrorModelDescription& error : experiment.controllers.at(0).sensors.at(0).errors) {
@@ -100,7 +101,7 @@ TEST(RealismTest, ANameThatNoPresetHasIsRefusedWhereItStands) {
   EXPECT_NE(messageOf({"", "", std::string(kTypical) + kTypical}).find("found a second <realism>"), std::string::npos);
 }
 
-/// A record says itself what the preset held: it stays that run when the presets of an installation change.
+/// A record contains the preset's values: it stays the same run when the installed presets change.
 TEST(RealismTest, ARecordSpellsThePresetOut) {
   const Experiment experiment = EyebotFile{kTypical}.read();
   const RunRecord record = recordOf(experiment, "1.2.3");
@@ -122,7 +123,7 @@ TEST(RealismTest, ARecordSpellsThePresetOut) {
   EXPECT_EQ(run(experiment), run(again));
 }
 
-/// Of the data sheet: 0.05 hPa RMS, in steps of 0.01 hPa, whose rounding adds 1 Pa / sqrt(12).
+/// From the data sheet: 0.05 hPa RMS, in steps of 0.01 hPa, which add a rounding error of 1 Pa / sqrt(12).
 TEST(RealismTest, TheTypicalBarometerIsAsItsDataSheetSays) {
   Simulation simulation(EyebotFile{kTypical}.read());
   simulation.start();
@@ -144,7 +145,7 @@ TEST(RealismTest, TheTypicalBarometerIsAsItsDataSheetSays) {
   EXPECT_NEAR(std::sqrt(squares), std::sqrt(25.0 + 1.0 / 12.0), 4.0 * 5.0 / std::sqrt(2.0 * kTicks));
 }
 
-/// Only of robots with a battery, whether they are distributed or not, and not where the file says otherwise.
+/// Applies only to robots with a battery, distributed or not, and not if the file sets the value.
 TEST(RealismTest, AFootbotsMotorsDrawByLoad) {
   loadBuiltInPlugins();
   const auto stallOf = [](const std::string& realism, const std::string& values, bool is_distributed) {
@@ -175,7 +176,7 @@ TEST(RealismTest, AFootbotsMotorsDrawByLoad) {
   }
 }
 
-/// What is installed must be readable for the devices that it is for, each preset by itself.
+/// Each installed preset alone must be valid for its devices.
 TEST(RealismTest, AllInstalledPresetsAreAsTheirDevicesNeedThem) {
   loadBuiltInPlugins();
   const std::vector<RealismPreset> presets = realismPresets();

@@ -1,5 +1,5 @@
-// Runs with 200 random interventions, recorded in a folder and made again of nothing but the folder: the same hashes in
-// each tick. And runs that part from one.
+// Runs with 200 random interventions, recorded in a folder and repeated from the folder alone: the same hashes in each
+// tick. And forks of a run.
 #include <gtest/gtest.h>
 
 #include "random_interventions.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 class RecordTest : public testing::Test {
  protected:
-  /// Writes the record of a simulation that has not begun, as the program does.
+  /// Writes the record of a simulation that has not started, as the program does.
   std::unique_ptr<RecordFolder> record(Simulation& simulation) const {
     RunFiles files;
     files.folder = owner.path();
@@ -94,7 +94,7 @@ std::unique_ptr<Simulation> wandering(std::uint64_t seed) {
   return simulation;
 }
 
-/// One robot drives over an edge, another one is put onto a hole, a third one is spawned with the name of the first.
+/// One robot drives over an edge, another one is moved onto a hole, a third one is spawned with the name of the first.
 TEST_F(RecordTest, WhoFellFallsAgain) {
   World world = wanderingWorld();
   world.drive = "<left>5</left><right>5</right>";
@@ -121,7 +121,7 @@ TEST_F(RecordTest, WhoFellFallsAgain) {
   EXPECT_EQ(deepHash(second->space()), deepHash(simulation->space()));
 }
 
-/// Nothing of that world is drawn before its first tick.
+/// That world draws no random numbers before its first tick.
 TEST_F(RecordTest, AnotherSeedBeforeTheFirstTickIsARunOfThatSeed) {
   const auto with_nine = wandering(9);
   const auto expected = hashesOf(*with_nine, 20);
@@ -146,7 +146,7 @@ TEST_F(RecordTest, AnotherSeedInTheMiddleChangesWhatComesAndNothingElse) {
   EXPECT_EQ(hashesOf(*same, 6), std::vector<std::uint64_t>(expected.begin() + 7, expected.end()));
 }
 
-/// Turns the first robot at random, each tick.
+/// Turns the first robot by a random angle in each tick.
 class SpinningRule final : public Rule {
  public:
   static PluginDescription describe() {
@@ -161,7 +161,7 @@ class SpinningRule final : public Rule {
   }
 };
 
-/// What may draw random numbers, and where it stands in the experiment file.
+/// A part that may draw random numbers, and its place in the experiment file.
 struct Drawing {
   const char* name;
   std::string_view instead_of;
@@ -179,7 +179,7 @@ constexpr std::array<Drawing, 5> kDrawings{{
     {"Fault", "", "", true},
 }};
 
-/// Its controllers draw nothing, and there is a prey to be seen. @return after 7 ticks
+/// The controllers draw no random numbers, and a prey is in sight. @return after 7 ticks
 std::unique_ptr<Simulation> sevenTicksOf(const Drawing& drawing, std::uint64_t seed) {
   loadBuiltInPlugins();
   World world = wanderingWorld();

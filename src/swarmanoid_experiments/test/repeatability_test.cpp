@@ -1,4 +1,4 @@
-// One experiment, one seed, one result.
+// The same experiment with the same seed gives the same result.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,9 +10,9 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Robots at random, driven at random, with noise: whatever could depend on order or threads does.
+/// Robots placed and driven at random, with noise: exercises everything that could depend on order or threads.
 World busyWorld(int robots, int threads) {
-  const int side = robots <= 400 ? 8 : 14;  // [m]; fuller than that, no free place is found for the last ones
+  const int side = robots <= 400 ? 8 : 14;  // [m]; in a smaller arena no free place would be found for the last ones
   const std::string most = std::to_string(side - 0.3);
   World world;
   world.size = std::to_string(side) + "," + std::to_string(side) + ",2";
@@ -50,7 +50,7 @@ TEST(RepeatabilityTest, AnyNumberOfThreads) {
   }
 }
 
-/// Two engines in one plane; each moves half of the robots and has mirrors of the other half in their way.
+/// Two engines in one plane; each moves half of the robots, and the other half block their way as mirrors.
 std::unique_ptr<Simulation> mirroringWorld(bool is_ground_first, int threads) {
   World world;
   world.size = "3,3,2";
@@ -103,7 +103,7 @@ EntityDescription newcomer(int number, double x, double y) {
   return entity;
 }
 
-/// Every second robot deleted in mid-run, newcomers where there is room; returns the hashes after.
+/// Deletes every second robot during the run, and spawns new ones in free places. @return the hashes afterwards
 std::vector<std::uint64_t> lifeAndDeath(int robots) {
   auto simulation = busyWorld(robots, 1).make();
   simulation->start();
@@ -123,11 +123,11 @@ std::vector<std::uint64_t> lifeAndDeath(int robots) {
     try {
       simulation->apply(SpawnEntity{newcomer(i, 0.4 + 0.4 * (i % 18), 0.4 + 0.4 * (i / 18)), {"ground"}});
     } catch (const ConfigError&) {
-      // somebody stands there; where is the same in every run
+      // the place is occupied; these places are the same in every run
     }
   }
   const auto hashes = hashesOf(*simulation, 50);
-  // what the survivors' controllers hold on to is where it was
+  // the pointers of the remaining controllers are still valid
   for (int i = 1; i <= robots; i += 2) {
     EXPECT_EQ(commandOf(i), before[static_cast<std::size_t>(i / 2)]);
   }
@@ -167,14 +167,14 @@ TEST(InterventionTest, WhatCannotBeIsRefusedAndNothingChanges) {
   simulation->start();
   const std::uint64_t hash = simulation->stateHash();
   EXPECT_THROW(simulation->apply(DeleteEntity{"nobody"}), ConfigError);
-  EXPECT_THROW(simulation->apply(SpawnEntity{newcomer(1, 0.0, 0.0), {"ground"}}), ConfigError);  // in the wall
+  EXPECT_THROW(simulation->apply(SpawnEntity{newcomer(1, 0.0, 0.0), {"ground"}}), ConfigError);  // inside the wall
   EXPECT_THROW(simulation->apply(SpawnEntity{newcomer(1, 4.0, 4.0), {"sky"}}), ConfigError);
   EXPECT_THROW(simulation->apply(MoveEntity{"fb_1", Pose{{0, 0, 0}, Eigen::Quaterniond::Identity()}}), ConfigError);
   EXPECT_THROW(simulation->apply(MoveEntity{"fb_1", Pose{{4, 4, 1}, Eigen::Quaterniond::Identity()}}), ConfigError);
   EXPECT_EQ(simulation->stateHash(), hash);
 }
 
-/// Two robots that drive; in tick 10 the controller of fb_a throws.
+/// Two driving robots; the controller of fb_a throws in tick 10.
 std::unique_ptr<Simulation> oneThrows() {
   World world;
   world.entities = footbot("fb_a", 2, 3, 0) + footbot("fb_b", 2, 5, 0);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Controllers recorded by the program `swarmanoid` do the same again in the program `replay`; changed ones do not."""
+"""Controllers recorded by the program `swarmanoid` repeat their commands in the program `replay`; changed ones do not."""
 
 import json
 import os
@@ -41,7 +41,7 @@ class ReplayTest(ProgramTest):
                          '":"' + summary["state_hash"] + '"}\n')
 
     def test_the_mathematics_are_those_of_the_run_in_any_environment(self):
-        """With those that the C library takes by itself where the processor has FMA, fb_1 differs in tick 571."""
+        """With the functions that the C library selects by itself on processors with FMA, fb_1 differs in tick 571."""
         ticks = self.record("object_retrieval", "--seed", 4)["ticks"]
         without = {name: value for name, value in os.environ.items() if name != "GLIBC_TUNABLES"}
         self.assertEqual(self.replay("--robot", "fb_1", environment=without), f"fb_1: all {ticks} ticks are equal\n")

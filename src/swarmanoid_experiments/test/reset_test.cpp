@@ -1,4 +1,4 @@
-// A reset is a fresh start, whatever was under way: the same hashes and the same files as a run of its own.
+// A reset is a fresh start at any time: the same hashes and the same files as in a new run.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -91,7 +91,7 @@ TEST(ResetTest, AFailedControllerTriesAgain) {
   EXPECT_EQ(simulation->failures().size(), 1U);
 }
 
-/// What has happened, as the first draw of each run sees it.
+/// Events at the first draw of each run.
 class FirstSight final : public Observer {
  public:
   explicit FirstSight(std::vector<Event>& events) : events_(events) {}
@@ -117,7 +117,7 @@ TEST(ResetTest, WhoFailsInDestroyFailsInTheRunThatBegins) {
   simulation->start();
   EXPECT_TRUE(events.empty());
   hashesOf(*simulation, 10);
-  simulation->apply(DeleteEntity{"gone"});  // what is pending now is of the run that ends
+  simulation->apply(DeleteEntity{"gone"});  // pending events belong to the run that ends
   simulation->reset();
   ASSERT_EQ(simulation->failures().size(), 1U);
   EXPECT_EQ(simulation->failures()[0].robot, "fb");

@@ -1,5 +1,5 @@
-// Footbots of the object retrieval experiment that gripped what does not bring the prey home: they let go, and it goes
-// on.
+// Footbots of the object retrieval experiment that gripped the wrong object, or cannot bring the prey home: they
+// release it and continue.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,11 +14,11 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A footbot on a line that leads away from the prey at 31 degrees, or beside it.
+/// A footbot on a line that leads away from the prey at 31 degrees, or beside the line.
 struct Place {
   double along;     // m, from the prey's axis
   double aside;     // m, to the left of that line
-  bool is_working;  // looks at the prey; otherwise it stands there without a controller
+  bool is_working;  // faces the prey; otherwise it stands there without a controller
 };
 
 constexpr double kLine = 31.0 * M_PI / 180.0;  // rad
@@ -30,8 +30,8 @@ void replace(std::string& text, const std::string& first, const std::string& las
   text.replace(begin, end + last.size() - begin, by);
 }
 
-/// The experiment in dynamics2d with footbots that look at the magenta prey, and the eyebot above it.
-/// @param prey_radius [m]; @param more parameters of the footbots; @param prey_mass an element
+/// The experiment in dynamics2d with footbots that face the magenta prey, and the eyebot above it.
+/// @param prey_radius [m]; @param more parameters of the footbots; @param prey_mass an XML element
 std::unique_ptr<Simulation> startedBesidePrey(const std::vector<Place>& places, std::uint64_t seed,
                                               const std::string& prey_radius = "0.06", const std::string& more = "",
                                               const std::string& prey_mass = "") {
@@ -66,7 +66,7 @@ std::unique_ptr<Simulation> startedBesidePrey(const std::vector<Place>& places, 
   return simulation;
 }
 
-/// Who grips what.
+/// Gripping and gripped entities by name.
 std::map<std::string, std::string> gripsIn(const Simulation& simulation) {
   std::map<std::string, std::string> grips;
   const Space& space = simulation.space();
@@ -80,7 +80,7 @@ std::map<std::string, std::string> gripsIn(const Simulation& simulation) {
 
 using Grips = std::map<std::string, std::string>;
 
-/// @return after how many ticks it is so; all ticks of the run if never
+/// @return tick at which these grips exist; all ticks of the run if never
 std::uint64_t runUntil(Simulation& simulation, const Grips& grips) {
   while (!simulation.isFinished() && gripsIn(simulation) != grips) {
     simulation.tick();
@@ -94,8 +94,8 @@ void runToEnd(Simulation& simulation) {
   }
 }
 
-/// Bits in the last place decide in which tick robots meet, so not one seed but most of them must go as told: `run` of
-/// a seed says whether it did.
+/// Bits in the last place decide in which tick robots meet, so only most of the seeds must behave as expected: `run` of
+/// a seed returns whether it did.
 template <class Run>
 void expectOfMostSeeds(Run run) {
   constexpr int kSeeds = 20;
@@ -119,7 +119,7 @@ bool hasSuccess(Simulation& simulation) {
 
 TEST(RetrievalGripTest, OfTwoThatGripOnePreyOneLetsGo) {
   expectOfMostSeeds([](std::uint64_t seed) {
-    // as far away from it as each other, at 177 degrees, so that they reach it in the same tick
+    // at equal distances from it, at 177 degrees, so that they reach it in the same tick
     auto simulation = startedBesidePrey({{0.28, 0.0, true}, {-0.2796, 0.0147, true}}, seed);
     const std::uint64_t together = runUntil(*simulation, {{"fb_1", "prey_magenta"}, {"fb_2", "prey_magenta"}});
     if (together >= 100U) {
@@ -136,7 +136,7 @@ TEST(RetrievalGripTest, OfTwoThatGripOnePreyOneLetsGo) {
 
 TEST(RetrievalGripTest, WhoGripsAnotherFootbotLetsItGo) {
   expectOfMostSeeds([](std::uint64_t seed) {
-    // beside the way to the prey: the tip comes to its strip before it reaches the prey
+    // beside the way to the prey: the gripper's tip meets its strip before it reaches the prey
     auto simulation = startedBesidePrey({{0.43, 0.0, true}, {0.17, 0.08, false}}, seed);
     const std::uint64_t gripped = runUntil(*simulation, {{"fb_1", "idle_2"}});
     EXPECT_LT(gripped, 200U) << "seed " << seed;
@@ -147,11 +147,11 @@ TEST(RetrievalGripTest, WhoGripsAnotherFootbotLetsItGo) {
 
 TEST(RetrievalGripTest, WhoCannotMoveWhatItHoldsLetsGo) {
   expectOfMostSeeds([](std::uint64_t seed) {
-    // with a friction of 0.4 it takes 196 N to slide it; a footbot pulls with 16 N at the most
+    // with a friction of 0.4, 196 N are necessary to slide it; a footbot pulls with at most 16 N
     auto simulation = startedBesidePrey({{0.4, 0.0, true}}, seed, "0.06", "", "<mass>50</mass>");
     const std::uint64_t gripped = runUntil(*simulation, {{"fb_1", "prey_magenta"}});
     EXPECT_LT(gripped, 200U) << "seed " << seed;
-    // four times 8 s without coming nearer, and up to 1.5 s of wiggling after each; the spot needs some time to wait
+    // four times 8 s without progress, and up to 1.5 s of wiggling after each; the spot takes some time to stop
     const std::uint64_t released = runUntil(*simulation, {});
     EXPECT_GE(released, gripped + 320) << "seed " << seed;
     return released <= gripped + 380 + 150;

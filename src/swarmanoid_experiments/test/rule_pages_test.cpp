@@ -1,5 +1,5 @@
-// Every rule of the suite has a page that names each of its values and metrics with what the code says of it; there are
-// no other pages.
+// Every rule of the suite has a page that contains each of its values and metrics with the description in the code, and
+// there are no other pages.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ std::vector<const Registry::Entry*> rules() {
   return Registry::instance().all(PluginKind::kRule);
 }
 
-/// A value that any parameter of that type takes, if it has no default.
+/// A value that is valid for any parameter of that type without a default.
 std::string someValue(const Parameter& parameter) {
   using Type = Parameter::Type;
   switch (parameter.type) {
@@ -53,7 +53,7 @@ std::shared_ptr<Rule> configured(const Registry::Entry& entry) {
   return rule;
 }
 
-/// The row of a table that begins with this name; "" if there is none.
+/// The table row that starts with this name; "" if there is none.
 std::string rowOf(const std::string& page, const std::string& name) {
   const std::string start = "\n| `" + name + "` |";
   const std::size_t row = page.find(start);
@@ -90,7 +90,7 @@ TEST(RulePagesTest, AreOfRulesThatThereAre) {
   }
 }
 
-/// The schema takes a tag that it knows for the rule, wherever it stands in what it does not know.
+/// The schema interprets a tag with the name of a rule as that rule, even inside an unknown element.
 TEST(RulePagesTest, NoRuleIsCalledAsAParameterOfAPlugin) {
   rules();
   for (const PluginKind kind : kPluginKinds) {

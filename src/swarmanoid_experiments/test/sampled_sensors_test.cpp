@@ -1,5 +1,5 @@
-// Tables made of the ideal sensors give the ideal readings back: at their points, and between them within bounds that
-// are computed here. And what an experiment file and a record make of a table.
+// Tables of ideal sensors reproduce the ideal readings: at their points, and between them within bounds that are
+// computed here. Also tables in experiment files and records.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,8 +29,8 @@ struct Case {
   int angle_count;    // from 0
 };
 
-// Nothing is read beyond the ideal sensors' reach, at which the last distances end. Distances begin where they can be
-// measured, so that all readings are finite.
+// The ideal sensors read nothing beyond their reach, where the largest distances end. Distances start in the measurable
+// range, so that all readings are finite.
 constexpr Case kCases[] = {{"proximity", "footbot", 5, 0.0, 0.1 / 17, 18, 37.0, 3},
                            {"footbot_proximity", "footbot", 11, 0.0, 0.1 / 17, 18, 37.0, 3},
                            {"distances", "handbot", 3, 0.13, 0.67 / 9, 10, 37.0, 3},
@@ -41,15 +41,15 @@ constexpr Case kCases[] = {{"proximity", "footbot", 5, 0.0, 0.1 / 17, 18, 37.0, 
                            {"footbot_ground", "footbot", 6, 0.0, 0.05 / 7, 8, 29.0, 3},
                            {"footbot_base_ground", "footbot", 2, 0.0, 0.05 / 7, 8, 29.0, 3}};
 
-/// How far the bilinear reading may be from the ideal one, in the cell that begins at a distance: a quarter of half the
-/// square of the cell's side times the largest second derivative along it, for both sides.
+/// Maximum difference between the bilinear and the ideal reading, in the cell that starts at a distance: for each side,
+/// a quarter of half the squared length times the largest second derivative along it.
 double boundOf(const Case& tested, double distance) {
   const double rounding = 2e-7 * std::max(1.0, distance);  // readings are floats
   const std::string device = tested.device;
   if (device.find("proximity") != std::string::npos) {
-    return rounding + 0.125 * std::pow(tested.step, 2) * 6.0 / std::pow(0.1, 2);  // of (1 - s / 0.1 m)^3
+    return rounding + 0.125 * std::pow(tested.step, 2) * 6.0 / std::pow(0.1, 2);  // for (1 - s / 0.1 m)^3
   }
-  if (device == "light") {  // of cos(a) (0.1 m / s)^2
+  if (device == "light") {  // for cos(a) (0.1 m / s)^2
     const double along = 6.0 * 0.01 / std::pow(distance, 4);
     const double around = 0.01 / std::pow(distance, 2);
     return rounding + 0.125 * (std::pow(tested.step, 2) * along + std::pow(tested.angle_step * kDegree, 2) * around);
@@ -65,7 +65,7 @@ class SampledSensorsTest : public testing::TestWithParam<Case> {
     return makePlugin<Sensor>(*Registry::instance().find(PluginKind::kSensor, device, "sampled"));
   }
 
-  /// A sensor that reads by the ideal law.
+  /// A sensor that follows the ideal law.
   static std::shared_ptr<Sensor> makeIdeal(const std::string& device) {
     Configuration parameters(device, "", {});
     for (const Parameter& parameter : Registry::instance().find(PluginKind::kSensor, device)->description.parameters) {
@@ -137,7 +137,7 @@ TEST_P(SampledSensorsTest, FeelNothingBeyondTheTable) {
 INSTANTIATE_TEST_SUITE_P(Devices, SampledSensorsTest, testing::ValuesIn(kCases),
                          [](const auto& tested) { return tested.param.device; });
 
-/// A footbot before a wall, and its table beside the experiment file.
+/// A footbot in front of a wall, and its table next to the experiment file.
 class SampledExperimentTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -1,4 +1,4 @@
-// The conformance test of a footbot with a scanner: it passes in each engine, and finds what a driver has got wrong.
+// The conformance test of a footbot with a scanner: it passes in each engine, and detects the faults of drivers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// The conformance experiment, with the scanner alone for the footbot.
+/// The conformance experiment with a footbot that has only the scanner.
 std::unique_ptr<Simulation> scannerIn(const std::string& engine, const std::vector<Override>& overrides = {}) {
   std::string text = conformanceText();
   replace(text, "<footbot_wheels/>\n        <footbot_gripper/>\n        <footbot_turret/>", "<footbot_scanner/>");
@@ -49,7 +49,7 @@ TEST(ScannerConformanceTest, FindsWhatADriverHasGotWrong) {
       }),
       wire<Readings>([](Readings& readings) {
         for (float& distance : readings.long_left) {
-          distance = std::isfinite(distance) ? distance : 0.0F;  // as many drivers have it where nothing is
+          distance = std::isfinite(distance) ? distance : 0.0F;  // many drivers report 0 in open space
         }
       })};
   int index = 0;

@@ -1,5 +1,5 @@
-// Distance sensors from the experiment file to the controller, through all engines: their readings follow from where
-// robots and walls are, and are the same bits whatever the threads, after a reset, and on the way through all engines.
+// Distance sensors from the experiment file to the controller, in all engines: their readings follow from the positions
+// of robots and walls, and have the same bits with any number of threads, after a reset, and across handovers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,8 +35,8 @@ std::string entity(const std::string& type, const std::string& id, const std::st
          "</orientation><controller>" + type + "</controller></" + type + ">";
 }
 
-/// Robots beside walls: east of the footbot at x = 2.31, north of the handbot at y = 6.4, and over the eyebot at z
-/// = 2.45.
+/// Robots beside walls: east of the footbot at x = 2.31, north of the handbot at y = 6.4, and above the eyebot at z =
+/// 2.45.
 std::unique_ptr<Simulation> world(const std::string& ground, int threads = 1) {
   loadBuiltInPlugins();
   std::string text =
@@ -75,7 +75,7 @@ const Device& readingsOf(const Simulation& simulation, const char* robot) {
   return *space.readings.find<Device>(space.entities.find(robot));
 }
 
-/// @param ticks that have passed: what was sensed last is of the state after one tick less
+/// @param ticks finished ticks; the last readings are of the state one tick earlier
 void expectScan(const Simulation& simulation, int ticks) {
   const auto& readings = readingsOf<FootbotScannerReadings>(simulation, "fb");
   const Pose& pose = poseOf(simulation, "fb");
@@ -109,7 +109,7 @@ TEST_P(ScannerTest, MeasuresFromTheFileToTheController) {
   EXPECT_NEAR(2.45 - height - EyebotDistance::kUpHeight, eyebot.up, 1e-3);
   EXPECT_EQ(kNothing, eyebot.around[5]);
   const auto& handbot = readingsOf<HandbotDistance>(*simulation, "hb");
-  // sensor 2 looks 5 degrees aside of the wall, whose face is 0.4 m from the axis
+  // sensor 2 faces 5 degrees off the normal of the wall, whose face is 0.4 m from the axis
   EXPECT_NEAR(0.4 / std::cos(M_PI / 36.0) - HandbotDistance::kRingRadius, handbot.distance[2], 1e-3);
   EXPECT_EQ(kNothing, handbot.distance[8]);
 }

@@ -1,4 +1,4 @@
-// The schema and the parser agree: on good files, on bad ones as far as a schema can tell, and on every name.
+// The schema and the parser agree: on good files, on bad ones within a schema's possibilities, and on every name.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -25,7 +25,7 @@ fs::path writeFile(const std::string& name, const std::string& text) {
   return file;
 }
 
-/// The schema of what the suite brings along, as it is installed.
+/// The schema of the suite's own plugins, as installed.
 const std::string& schema() {
   static const std::string text = [] {
     loadBuiltInPlugins();
@@ -34,7 +34,7 @@ const std::string& schema() {
   return text;
 }
 
-/// As xmllint sees it.
+/// Verdict of xmllint.
 bool schemaAccepts(const fs::path& file, const fs::path& schema_file = {}) {
   static const fs::path suites_file = writeFile("schema.xsd", schema());
   const fs::path report = writeFile("report.txt", "");
@@ -44,7 +44,7 @@ bool schemaAccepts(const fs::path& file, const fs::path& schema_file = {}) {
                       .c_str());
   std::ifstream reason(report);
   std::string words((std::istreambuf_iterator<char>(reason)), {});
-  // anything but "valid" and "not valid" means that xmllint is missing or the schema is wrong
+  // any code other than valid or invalid means that xmllint is missing or the schema is wrong
   constexpr int kInvalid = 3;
   constexpr int kMalformed = 1;
   const int code = WEXITSTATUS(status);
@@ -221,7 +221,7 @@ TEST(SchemaTest, ChecksWhatAllImplementationsOfADeviceAllow) {
   };
   ASSERT_EQ(Registry::instance().find(PluginKind::kSensor, "footbot_proximity")->description.parameters[0].name,
             "range");
-  add("first_of_the_test", {0.001, 1.0});  // as the polynomial
+  add("first_of_the_test", {0.001, 1.0});  // the same range as the polynomial's
   const fs::path alike = writeFile("alike.xsd", experimentSchema());
   EXPECT_TRUE(accepts(with_range("first_of_the_test", "0.2"), alike));
   EXPECT_TRUE(accepts(with_range("polynomial", "0.2"), alike));

@@ -1,5 +1,5 @@
-// Robots that call and listen, and leave word in radio tags, in whole simulations: whatever the engine, the number of
-// threads and the times that the run is had again, the same is heard and read.
+// Robots that call, listen, and write to radio tags, in whole simulations: in each engine, readings are the same with
+// any number of threads and in repeated runs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Goes about, calls at times, turns to what is loudest, and adds 1 to the tags that it comes by.
+/// Drives around, calls at times, turns to the loudest source, and adds 1 to the tags within reach.
 class TestCaller final : public Controller {
  public:
   void init(Robot& robot, const Configuration&) override {

@@ -1,4 +1,4 @@
-// A rule switches a lamp every 7 ticks, and a footbot's light sensors read it in exactly the ticks in which it shines.
+// A rule switches a lamp every 7 ticks, and a footbot's light sensors read it in exactly the ticks in which it is on.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -31,7 +31,7 @@ class LampSwitch final : public Rule {
   }
 };
 
-std::vector<float> readings;  // of the sensor ahead, one a tick
+std::vector<float> readings;  // of the sensor ahead, one per tick
 
 class LightReader final : public Controller {
  public:
@@ -44,7 +44,8 @@ class LightReader final : public Controller {
 
 std::unique_ptr<Simulation> world(const std::string& rules) {
   loadBuiltInPlugins();
-  // the lamp is 0.4 m ahead and 0.3 m to the left of the sensor at 0.085 m from the axis, 0.06 m above the ground
+  // the lamp is 0.4 m ahead and 0.3 m to the left of the sensor, which is 0.085 m from the axis and 0.06 m above the
+  // ground
   auto simulation = std::make_unique<Simulation>(parseExperiment(R"(
 <ahss-config>
   <framework><clocktick>100</clocktick><maxclock>1000</maxclock></framework>

@@ -13,8 +13,8 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Wheel speeds as the parameters say [rad/s]; can be told to close the gripper, say "done", throw, or command NaN at a
-/// tick, and to throw in `destroy`.
+/// Sets the wheel speeds of its parameters [rad/s]; parameters can also make it close the gripper, set "done", throw,
+/// or command NaN at a tick, and throw in `destroy`.
 class TestDrive final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {

@@ -1,4 +1,4 @@
-/// What the tests of whole simulations share: a controller that does what its parameters say, and small experiments.
+/// Shared by the tests of whole simulations: a controller that follows its parameters, and small experiments.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace swarmanoid::test {
 
-/// A world with one plane, z = 0, in which footbots are driven by "test_drive".
+/// A world with one plane, z = 0, in which "test_drive" drives footbots.
 struct World {
   std::string entities;                                  ///< elements of <arena>
   std::string members;                                   ///< elements of the engine's mapping
@@ -30,7 +30,7 @@ struct World {
   std::unique_ptr<Simulation> make() const;
 };
 
-/// One footbot "fb" at a place, driven by "drive", with its member line.
+/// A footbot at a position, driven by "drive"; `member` is its line in the mapping.
 std::string footbot(const std::string& id, double x, double y, double heading_deg);
 std::string member(const std::string& id);
 
@@ -40,12 +40,12 @@ inline void tick(Simulation& simulation, int ticks = 1) {
   }
 }
 
-/// Where an entity is.
+/// Pose of an entity.
 const Pose& poseOf(const Simulation& simulation, std::string_view name);
 /// Its heading about z [rad].
 double headingOf(const Simulation& simulation, const std::string& name);
 
-/// An engine for the ground of the object retrieval experiment.
+/// Engine for the ground of the object retrieval experiment.
 struct GroundEngine {
   std::string label = "kinematics2d";
   int subclock = 1;

@@ -1,5 +1,5 @@
-// The installed experiment `trail`: footbots that see the floor alone come from patch to patch by the trail that an
-// eyebot lays, and hardly without it; and such a run can be had again.
+// The installed experiment `trail`: footbots with ground sensors alone travel between patches by the trail of an
+// eyebot, and rarely without it; and runs are reproducible.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -10,10 +10,10 @@
 namespace swarmanoid::test {
 namespace {
 
-// All bounds of this test.
+// Limits of this test.
 constexpr std::uint64_t kTicks = 6000;  // ten minutes
-constexpr double kTimesAsMany = 3.0;    // trips with the trail, of all seeds, at least
-constexpr double kTripsOfAll = 40.0;    // likewise; a footbot that is alone and undisturbed makes 23 with a seed
+constexpr double kTimesAsMany = 3.0;    // minimum ratio of trips with the trail to those without, over all seeds
+constexpr double kTripsOfAll = 40.0;    // minimum trips with the trail, all seeds; one undisturbed footbot: 23 per seed
 
 std::unique_ptr<Simulation> trail(std::uint64_t seed, const std::string& found = "", const std::string& put = "",
                                   int threads = 1) {
@@ -35,7 +35,7 @@ std::unique_ptr<Simulation> trail(std::uint64_t seed, const std::string& found =
 
 double tripsOf(const Simulation& simulation) { return std::get<double>(simulation.metrics().at("trips.trips")); }
 
-/// Of five seeds.
+/// Sum over five seeds.
 double tripsOfAll(const std::string& found = "", const std::string& put = "") {
   double trips = 0.0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {

@@ -1,5 +1,5 @@
-// A steady tick of a run that records its trajectories allocates nothing, and one in which rows go to the file only
-// what HDF5 allocates, which is in C: nothing by `new`.
+// A steady tick of a run that records its trajectories makes no allocation, and a tick that flushes rows to the file
+// only allocations by HDF5 in C, none by `new`.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -18,7 +18,8 @@ namespace {
 std::atomic<long> made_by_new{0};
 }  // namespace
 
-// of the whole process, libraries too; not inlined, where the compiler would warn of a free that belongs to no malloc
+// for the whole process including libraries; not inlined, because the compiler would warn about a free without its
+// malloc
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++made_by_new;
   void* memory = std::malloc(size);

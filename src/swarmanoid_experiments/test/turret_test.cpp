@@ -1,4 +1,4 @@
-// A footbot whose controller turns its turret, from the experiment file to the reading, through all engines.
+// A footbot that turns its turret, from the experiment file to the reading, through all engines.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Turns to a right angle, grips, turns back, and says what it reads.
+/// Turns to a right angle, grips, turns back, and reports its readings.
 class TestTurning final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
@@ -54,7 +54,7 @@ std::unique_ptr<Simulation> world() {
   return simulation;
 }
 
-/// Where the turret stands, as the controller reads it [rad].
+/// Angle of the turret, as read by the controller [rad].
 double readingOf(const Simulation& simulation) {
   const Space& space = simulation.space();
   for (const auto& [key, value] : space.robots[space.entities.find("fb")]->debugValues()) {
@@ -66,7 +66,7 @@ double readingOf(const Simulation& simulation) {
   return 0.0;
 }
 
-/// @param engines that the robot is handed over to, one after the other, from tick 11 on, each for two ticks
+/// @param engines to which the robot is handed over, one after the other, from tick 11 on, each for two ticks
 std::vector<std::uint64_t> run(Simulation& simulation, const std::vector<std::string>& engines) {
   std::vector<std::uint64_t> hashes = hashesOf(simulation, 11);
   const Space& space = simulation.space();
@@ -105,7 +105,7 @@ TEST(TurretTest, TurnsWhatItGripsInEachEngineAndOnItsWayThroughAll) {
 TEST(TurretTest, WhatOverlapsATurnedGripperKeepsItFromBeingMovedThere) {
   const auto simulation = world();
   hashesOf(*simulation, 8);
-  // the gripper now points to the left: beside a prey on the left there is no room, on the right there is
+  // the gripper now points to the left: there is no free place beside a prey on the left, but there is one on the right
   const Pose& prey = poseOf(*simulation, "prey");
   const auto at = [&](double y) { return Pose{prey.position + Eigen::Vector3d(0.0, y, 0.0), prey.orientation}; };
   EXPECT_THROW(simulation->apply(MoveEntity{"fb", at(-0.16)}), ConfigError);

@@ -1,5 +1,5 @@
-// The installed experiment `two_spot_foraging`: its arena is that of the paper, nobody leaves it, and its machine of
-// behaviours brings more items than a random walk, by the light.
+// The installed experiment `two_spot_foraging`: its arena is that of the paper, no robot leaves it, and its behaviour
+// machine delivers more items than a random walk, because of the light.
 #include <gtest/gtest.h>
 
 #include "installed_experiment.hpp"
@@ -11,9 +11,9 @@ namespace {
 const std::string kTransitions = "controllers.bc.parameters.transitions.";
 const Eigen::Vector2d kMiddle(2.0, 2.0);
 constexpr int kWalls = 12;
-constexpr double kHalfWall = 0.025;  // m, of their thickness
+constexpr double kHalfWall = 0.025;  // m, half of their thickness
 
-/// Where a wall's inner face is: its normal, towards the outside, and its distance from the middle.
+/// Inner face of a wall: its outward normal, and its distance from the centre of the arena.
 struct Face {
   Eigen::Vector2d normal;
   double distance = 0.0;  // m
@@ -46,7 +46,7 @@ TEST(TwoSpotForagingTest, NoRobotPassesAWall) {
   constexpr double kRadius = 0.085;  // m, of a footbot
   const auto simulation = installed("two_spot_foraging", 1);
   const std::vector<Face> walls = faces(*simulation);
-  double farthest = -1.0;  // m, beyond where it touches the wall
+  double farthest = -1.0;  // m, beyond the contact with the wall
   while (!simulation->isFinished()) {
     simulation->tick();
     for (int i = 1; i <= 20; ++i) {
@@ -68,12 +68,12 @@ double items(std::uint64_t seed, const std::vector<std::string>& overrides = {})
   return metricOf(*simulation, "items.returns");
 }
 
-// A walk that never leaves its first state: the same exploration, of the same robots, from the same places.
+// A walk that never leaves its first state: the same exploration by the same robots from the same positions.
 const std::vector<std::string> kWalk{kTransitions + "found.probability=0", kTransitions + "strayed.probability=0"};
 const std::vector<std::string> kDark{"arena.lamp.intensity=0"};
 
 TEST(TwoSpotForagingTest, TheMachineBringsMoreThanARandomWalkAndThanWithoutTheLamp) {
-  // of 10 seeds: 28 to 35 items, 31 in the mean; 14 to 25 and 19 of the walk; 13 to 20 and 16 in the dark
+  // over 10 seeds: 28 to 35 items, 31 on average; the walk 14 to 25, 19 on average; in the dark 13 to 20, 16 on average
   constexpr std::uint64_t kSeeds = 4;
   double machine = 0.0;
   double walk = 0.0;

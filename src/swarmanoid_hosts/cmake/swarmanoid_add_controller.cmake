@@ -1,6 +1,6 @@
-# swarmanoid_add_controller(LABEL SOURCES...): builds lib<LABEL>.so from sources that end in
-# REGISTER_CONTROLLER(Class, "LABEL"), and installs it. That library does not use ROS; beside it a small
-# lib<LABEL>_nodelet.so makes the controller a nodelet, <package>/<LABEL>.
+# swarmanoid_add_controller(LABEL SOURCES...): builds lib<LABEL>.so from sources that end in REGISTER_CONTROLLER(Class,
+# "LABEL"), and installs it. That library does not use ROS; an additional small lib<LABEL>_nodelet.so makes the
+# controller a nodelet, <package>/<LABEL>.
 #
 # The nodelets of a package are described in controller_nodelets.xml, which is written into the package's source folder
 # (where rospack looks in a devel space) and installed. Commit it, and name it in package.xml:
@@ -13,7 +13,7 @@ function(swarmanoid_add_controller label)
   set(_source ${CMAKE_CURRENT_BINARY_DIR}/controller_nodelets/${label}_nodelet.cpp)
   configure_file(${SWARMANOID_CONTROLLER_NODELET_TEMPLATE} ${_source} @ONLY)
   swarmanoid_add_nodelet_library(${label}_nodelet ${_source})
-  # the controller registers itself while its library loads: it must be linked, although nothing in it is called
+  # the controller registers itself while its library loads: it must be linked, although no code calls it
   target_link_libraries(${label}_nodelet -Wl,--no-as-needed ${label} -Wl,--as-needed)
 
   get_property(_labels DIRECTORY PROPERTY SWARMANOID_CONTROLLERS)

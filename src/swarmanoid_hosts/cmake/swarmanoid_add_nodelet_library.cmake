@@ -1,8 +1,8 @@
 # swarmanoid_add_nodelet_library(TARGET SOURCES...): builds lib<TARGET>.so from nodelets, linked with nodelet, roscpp and
 # the ROS side of the hosts, and installs it.
 #
-# -z nodelete: a manager closes a nodelet's library with the last nodelet of it, but parts that it made may live on in a
-# space until the run is over.
+# -z nodelete: a manager closes a nodelet's library with its last nodelet, but a space may still use parts that the
+# nodelet made, until the run is over.
 function(swarmanoid_add_nodelet_library target)
   find_package(nodelet REQUIRED)
   find_package(pluginlib REQUIRED)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""A robot's host over topics: it starts when all devices are there and only then, reports overruns, does not touch
-devices that its configuration does not list, publishes its controller's input and output, and reports mistakes in a
+"""A robot's host over topics: it starts only once all devices are present, reports overruns, does not touch devices
+that its configuration does not list, publishes its controller's input and output, and reports mistakes in a
 configuration."""
 
 import sys

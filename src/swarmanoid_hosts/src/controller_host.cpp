@@ -23,7 +23,7 @@ const DeviceType* requireType(const DeviceLayout& device, const std::string& rob
     throw std::runtime_error(title + " has the fields '" + device.layout + "' in the space, and '" + type->layout +
                              "' here; build both from the same version");
   }
-  if (!device.names.empty() && fieldNames(*type) != device.names) {  // two fields of one type that have changed places
+  if (!device.names.empty() && fieldNames(*type) != device.names) {  // such as two swapped fields of one type
     throw std::runtime_error(title + " has the fields '" + device.names + "' in the space, and '" + fieldNames(*type) +
                              "' here; build both from the same version");
   }

@@ -14,14 +14,14 @@
 namespace swarmanoid {
 namespace {
 
-// The kernel takes packets up to some 200 KB. A larger one travels in pieces, each with its place in the whole.
+// The kernel accepts packets up to about 200 KB. Larger ones are sent in pieces, each with its place in the whole.
 struct Place {
   std::uint64_t size = 0;
   std::uint64_t offset = 0;
 };
 constexpr std::size_t kPiece = 65536;
 constexpr std::uint64_t kLargest = std::uint64_t{1} << 28;
-constexpr int kPatience = 1000;  // for room for the next piece of a packet that the other side is receiving [ms]
+constexpr int kPatience = 1000;  // limit of the wait for buffer space for the next piece of a packet [ms]
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
@@ -139,7 +139,7 @@ PacketSocket::Received PacketSocket::receive() {
     std::memcpy(&place, piece_.data(), sizeof place);
     const std::size_t count = static_cast<std::size_t>(size) - sizeof place;
     if (place.size > kLargest || place.offset > place.size || count > place.size - place.offset) {
-      return Received::kEnd;  // not one of us
+      return Received::kEnd;  // the peer does not follow this protocol
     }
     if (place.offset == 0) {
       packet_.resize(place.size);

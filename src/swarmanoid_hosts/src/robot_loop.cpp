@@ -112,7 +112,7 @@ void RobotLoop::end(Duration now) {
     state_ = State::kOver;  // no command was ever given
     text_ = "ended";
   } else {
-    // a stop under way goes on: an eyebot that comes down does not hover again
+    // a stop under way continues: a descending eyebot does not hover again
     if (state_ != State::kStopped) {
       stop_began_ = now;
     }

@@ -31,7 +31,7 @@ std::string refusalOf(const Configuration& values) {
   return "";
 }
 
-/// @param key that gets another value than in the smallest configuration
+/// Returns the error of the smallest configuration with another value. @param key of that value
 std::string refusalOf(const std::string& key, const std::string& text) {
   Configuration values("configuration", "", {"/c", 0});
   const Configuration base = smallest();

@@ -1,4 +1,4 @@
-// What device headers say of the robots' bodies and motors is what the robots' URDF says.
+// Dimensions and motor limits in device headers are equal to those in the robots' URDF.
 #include <gtest/gtest.h>
 
 #include <filesystem>

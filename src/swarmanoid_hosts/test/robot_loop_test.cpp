@@ -17,7 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 constexpr Duration kPeriod = milliseconds(100);
 
-/// The input that the controller received, and the actions that it shall take.
+/// The input that the controller received, and the actions that it is to take.
 struct Script {
   std::vector<double> seen;   // readings of sensor 0
   std::vector<double> times;  // [s]

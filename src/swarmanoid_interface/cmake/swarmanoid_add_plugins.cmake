@@ -1,6 +1,6 @@
-# swarmanoid_add_plugins(LIBRARY SOURCES...): builds lib<LIBRARY>.so from sources that end in a REGISTER_ macro (sensors,
-# actuators, engines, visualisations, controllers), linked with what the package found with find_package(catkin ...), and
-# installs it. An experiment file names it with library="LIBRARY", and `swarmanoid list` lists its plugins.
+# swarmanoid_add_plugins(LIBRARY SOURCES...): builds lib<LIBRARY>.so from sources that end in a REGISTER_ macro
+# (sensors, actuators, engines, visualisations, controllers), linked with the packages of its find_package(catkin ...),
+# and installs it. An experiment file names it with library="LIBRARY", and `swarmanoid list` lists its plugins.
 function(swarmanoid_add_plugins library)
   add_library(${library} SHARED ${ARGN})
   swarmanoid_compile_options(${library})

@@ -1,8 +1,9 @@
 # swarmanoid_add_unit_test(TARGET SOURCES... [LIBRARIES LIBRARY...]): a program of tests, linked with the libraries and gtest's main.
 #
-# Tests are optimised a little only, which takes a third off the time to compile them; what they test is as users have it.
+# Tests are compiled with -O1, which saves a third of their compile time; the code under test has the options of users'
+# builds.
 function(swarmanoid_add_unit_test target)
-  # where a script lies that ran it as a part of others, as after a change of branches, it would not be linked anew
+  # remove a script of that name, left from when the tests were part of another program: it would prevent linking
   set(_file ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}/${target})
   if(EXISTS ${_file})
     file(READ ${_file} _start LIMIT 2)
@@ -15,22 +16,22 @@ function(swarmanoid_add_unit_test target)
   _swarmanoid_finish_test(${target} ${_test_LIBRARIES})
 endfunction()
 
-# Options and libraries of a program of tests.
+# Sets the options and libraries of a test program.
 function(_swarmanoid_finish_test target)
   swarmanoid_compile_options(${target})
   target_compile_options(${target} PRIVATE -O1)
   target_link_libraries(${target} ${ARGN} GTest::gtest_main)
 endfunction()
 
-# swarmanoid_add_unit_tests(TARGETS FOLDER [LIBRARIES LIBRARY...] [ALONE NAME...] [PREFIX PREFIX] [GROUPS N]): the tests in
-# all FOLDER/*_test.cpp, so that a new one is built without an entry anywhere. They are linked with the libraries.
+# swarmanoid_add_unit_tests(TARGETS FOLDER [LIBRARIES LIBRARY...] [ALONE NAME...] [PREFIX PREFIX] [GROUPS N]): builds
+# the tests in all FOLDER/*_test.cpp, so that a new file needs no entry anywhere. They are linked with the libraries.
 #
-# They are one program, ${PROJECT_NAME}_unit_tests for the folder `test`, compiled in N groups of files (4), which a new file does
-# not change: most of the time to compile tests goes into headers, which a group reads once. So no two files of a group have a
-# name at file scope in common. Each file is a test of its own all the same, with a script and a target
-# ${PROJECT_NAME}_<prefix><name of the file> that runs and builds what is in it. NAMEs are of files (without .cpp) that are
-# programs by themselves, because they register what others register too, or have sources and libraries of their own.
-# TARGETS becomes the list of all programs.
+# The tests form one program, ${PROJECT_NAME}_unit_tests for the folder `test`, compiled in N groups of files (default
+# 4); a new file does not change the other groups. Most of the compile time of tests goes into headers, which a group
+# reads once. Files of a group must not share names at file scope. Each file is still a test of its own, with a script
+# that runs its tests and a target that builds them, ${PROJECT_NAME}_<prefix><name of the file>. NAMEs are files
+# (without .cpp) that become separate programs, because they register the same names as others, or have sources and
+# libraries of their own. TARGETS is set to the list of all programs.
 function(swarmanoid_add_unit_tests targets folder)
   cmake_parse_arguments(_test "" "PREFIX;GROUPS" "LIBRARIES;ALONE" ${ARGN})
   if(_test_UNPARSED_ARGUMENTS)
@@ -67,7 +68,7 @@ function(swarmanoid_add_unit_tests targets folder)
   set(${targets} ${_targets} PARENT_SCOPE)
 endfunction()
 
-# Makes the script that runs those tests of a program that are in a file, and a test of it.
+# Creates a script that runs the tests of one file of a program, and a test that runs the script.
 function(_swarmanoid_run_part_of program script file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   file(STRINGS ${file} _lines REGEX "^[ \t]*(TYPED_)?TEST(_F|_P)?[ \t]*\\(")

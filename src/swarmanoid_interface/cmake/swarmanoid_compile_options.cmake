@@ -1,11 +1,11 @@
 # swarmanoid_compile_options(TARGET): warnings, and the floating-point rules that bitwise equal results need.
 #
 # -ffp-contract=off: a fused multiply-add rounds once where two operations round twice, so the compiler's choice to fuse
-# would change results between builds. -fno-trapping-math, -fno-math-errno: the suite does not read floating-point
-# flags or errno, which change no result, but keep the compiler from vectorising. -fno-semantic-interposition: no
-# program replaces functions inside our libraries, so calls within a library can be inlined. -falign-functions: a hot
-# loop keeps its place within lines of the processor's cache when something else in its library changes; otherwise a
-# robot's step takes up to half as long again with the same instructions.
+# would change results between builds. -fno-trapping-math, -fno-math-errno: the suite does not read floating-point flags
+# or errno, which change no result, but keep the compiler from vectorising. -fno-semantic-interposition: no program
+# replaces functions inside our libraries, so calls within a library can be inlined. -falign-functions: a hot loop keeps
+# its place within lines of the processor's cache when something else in its library changes; otherwise a robot's step
+# may take up to 1.5 times as long with the same instructions.
 option(SWARMANOID_WARNINGS_AS_ERRORS "treat warnings as errors" OFF)
 option(SWARMANOID_EXPECTATIONS "check what functions expect of their callers (expects.hpp), in release builds too" OFF)
 set(SWARMANOID_SANITIZE "" CACHE STRING "sanitizers to build with, such as address,undefined")

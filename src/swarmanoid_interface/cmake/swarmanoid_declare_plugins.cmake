@@ -1,9 +1,9 @@
-# swarmanoid_declare_plugins(LIBRARY [VISUALISATIONS LABEL...]): declares that lib<LIBRARY>.so has plugins, so that `swarmanoid list`
-# names them. swarmanoid_add_plugins and swarmanoid_add_controller do this themselves. Experiment files name the LABELs without
-# library="LIBRARY": it is loaded for them.
+# swarmanoid_declare_plugins(LIBRARY [VISUALISATIONS LABEL...]): declares that lib<LIBRARY>.so has plugins, so that
+# `swarmanoid list` lists them. swarmanoid_add_plugins and swarmanoid_add_controller call it themselves. Experiment
+# files may use the LABELs without library="LIBRARY": the library is loaded for them.
 #
-# The declaration is share/swarmanoid/plugins/<LIBRARY> in the devel and the install space; it holds the package's name, then a line
-# "visualisation LABEL" each.
+# The declaration is share/swarmanoid/plugins/<LIBRARY> in the devel and the install space; it holds the package's name,
+# then one line "visualisation LABEL" per label.
 function(swarmanoid_declare_plugins library)
   cmake_parse_arguments(_declared "" "" VISUALISATIONS ${ARGN})
   set(_content "${PROJECT_NAME}\n")

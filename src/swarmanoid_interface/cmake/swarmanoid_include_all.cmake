@@ -1,6 +1,6 @@
-# swarmanoid_include_all(SOURCE FOLDER): writes a source, whose path SOURCE gets, that includes all headers of include/FOLDER, so
-# that what they register is in the library. For headers that register only there, it defines INCLUDES_ALL_OF_FOLDER, in capitals
-# and with underscores. A header that comes or goes is noticed when the package is built.
+# swarmanoid_include_all(SOURCE FOLDER): generates a source that includes all headers of include/FOLDER, so that the
+# library contains their registrations, and sets SOURCE to its path. For headers that register only there, the source
+# defines INCLUDES_ALL_OF_FOLDER, in capitals and with underscores. Builds notice added and removed headers.
 function(swarmanoid_include_all source folder)
   file(GLOB _headers RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/include CONFIGURE_DEPENDS
     ${CMAKE_CURRENT_SOURCE_DIR}/include/${folder}/*.hpp)
@@ -12,7 +12,7 @@ function(swarmanoid_include_all source folder)
   endforeach()
   set(_file ${CMAKE_CURRENT_BINARY_DIR}/${_name}.cpp)
   file(GENERATE OUTPUT ${_file} CONTENT "${_text}")
-  # alone, so that clang-tidy finds the sources of the package as they are compiled
+  # excluded from unity builds, so that clang-tidy finds the sources of the package as they are compiled
   set_source_files_properties(${_file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set(${source} ${_file} PARENT_SCOPE)
 endfunction()

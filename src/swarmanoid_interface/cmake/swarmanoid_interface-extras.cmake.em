@@ -16,7 +16,7 @@ include("${_swarmanoid_cmake}/swarmanoid_add_plugins.cmake")
 include("${_swarmanoid_cmake}/swarmanoid_include_all.cmake")
 include("${_swarmanoid_cmake}/swarmanoid_add_unit_tests.cmake")
 
-# swarmanoid_hosts has the real one
+# swarmanoid_hosts defines the real function
 if(NOT COMMAND swarmanoid_add_controller)
   function(swarmanoid_add_controller)
     message(FATAL_ERROR "swarmanoid_add_controller is in swarmanoid_hosts: find_package(catkin REQUIRED COMPONENTS "

@@ -5,11 +5,11 @@ case "${GLIBC_TUNABLES:-}" in
   *-FMA,-FMA4*) ;;
   *) export GLIBC_TUNABLES="${GLIBC_TUNABLES:+$GLIBC_TUNABLES:}glibc.cpu.hwcaps=-FMA,-FMA4" ;;
 esac
-# NumPy's own versions of these functions depend on the processor, and on where arrays lie in memory. NumPy warns of features
-# that the processor has not.
+# NumPy's own versions of these functions depend on the processor, and on where arrays lie in memory. NumPy warns about
+# features that the processor lacks.
 if [ -r /proc/cpuinfo ]; then
   _swarmanoid_flags=" $(grep -m1 '^flags' /proc/cpuinfo || true) "
-  # _swarmanoid_hide FEATURE FLAG...: of a processor that has these flags
+  # _swarmanoid_hide FEATURE FLAG...: hides the feature if the processor has these flags
   _swarmanoid_hide() {
     _swarmanoid_feature=$1
     shift

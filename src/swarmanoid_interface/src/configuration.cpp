@@ -97,7 +97,7 @@ double Configuration::angle(std::string_view key, double fallback_rad, Range ran
 void Configuration::refuseUnread(const std::vector<std::string>& known) const {
   for (const Configuration& child : children_) {
     if (!child.read_) {
-      // only the first of a name is ever read
+      // only the first child of a name is ever read
       if (const Configuration* first = firstOf(child.name_); first != &child && first->read_) {
         throw ConfigError(child.location_, "'" + child.name_ + "' stands in <" + name_ + "> twice");
       }

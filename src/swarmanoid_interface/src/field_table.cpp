@@ -8,7 +8,7 @@
 namespace swarmanoid {
 namespace {
 
-/// "joints[2].angle" without what is in brackets; the indices are added to `indices`.
+/// Removes the brackets from a name such as "joints[2].angle", and appends their indices to `indices`.
 std::string withoutIndices(const std::string& name, std::vector<std::size_t>& indices) {
   std::string plain;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -23,7 +23,7 @@ std::string withoutIndices(const std::string& name, std::vector<std::size_t>& in
   return plain;
 }
 
-/// The numbers stand in the order of their indices, so the last one has the largest.
+/// Numbers are added in the order of their indices, so the last one determines the shape.
 void add(FieldTable& table, const DeviceNumber& number) {
   std::vector<std::size_t> shape;
   const std::string name = withoutIndices(number.name, shape);
@@ -38,7 +38,7 @@ void add(FieldTable& table, const DeviceNumber& number) {
   field.shape = shape;
 }
 
-/// Numbers that touch are one piece.
+/// Merges adjacent numbers into pieces.
 void joinPieces(FieldPlaces& field) {
   const std::size_t size = sizeOf(field.type);
   for (const std::size_t offset : field.offsets) {

@@ -10,7 +10,7 @@ template <class Number>
 Number nearest(double value) {
   using Limits = std::numeric_limits<Number>;
   if (value >= static_cast<double>(Limits::max())) {
-    return Limits::max();  // the double nearest to the greatest whole number may be greater than that
+    return Limits::max();  // the double nearest to the greatest integer may be greater than that
   }
   if (value <= static_cast<double>(Limits::lowest())) {
     return Limits::lowest();
@@ -18,7 +18,7 @@ Number nearest(double value) {
   return static_cast<Number>(std::is_floating_point_v<Number> ? value : std::nearbyint(value));
 }
 
-/// The least and the greatest number of a type within bounds; infinite bounds stay.
+/// The smallest and the largest number of a type within bounds; infinite bounds stay.
 template <class Number>
 Range boundsIn(const Range& range) {
   if constexpr (std::is_floating_point_v<Number>) {

@@ -18,7 +18,7 @@ Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& q) {
   const double sine_pitch = std::clamp(2.0 * (q.w() * q.y() - q.z() * q.x()), -1.0, 1.0);
   constexpr double kUpright = 1.0 - 1e-12;
   if (std::abs(sine_pitch) > kUpright) {
-    // ahead is straight up or down: turns about x and z are turns about the same line, and yaw takes both
+    // gimbal lock: the turns about x and z have the same axis, and yaw takes both
     const double half_yaw = std::atan2(std::copysign(1.0, -sine_pitch) * q.x(), q.w());
     return {0.0, std::copysign(M_PI / 2.0, sine_pitch), wrapAngle(2.0 * half_yaw)};
   }

@@ -38,7 +38,7 @@ std::optional<Value> readWhole(const std::string& text) {
   const char* begin = text.data();
   const char* end = begin + text.size();
   if (end - begin > 1 && begin[0] == '+' && begin[1] != '-') {
-    ++begin;  // std::from_chars takes no plus sign; people write one
+    ++begin;  // std::from_chars does not accept a plus sign
   }
   const auto [stop, error] = std::from_chars(begin, end, value);
   if (error != std::errc() || stop != end || begin == end) {

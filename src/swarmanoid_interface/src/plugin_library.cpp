@@ -39,8 +39,8 @@ std::vector<std::string> prefixes() {
   return result;
 }
 
-/// Loads the library; its static constructors run meanwhile. Their exceptions cannot be caught: one ends the process,
-/// as a crash does.
+/// Loads the library, which runs its static constructors. Their exceptions cannot be caught: one ends the process, as a
+/// crash does.
 /// @return "", or the reason why the system's loader refuses it
 std::string load(const std::string& file, const std::string& library) {
   const std::string part = "library '" + library + "'";
@@ -54,7 +54,7 @@ std::string load(const std::string& file, const std::string& library) {
 
 void open(const std::string& file, const std::string& library, const SourceLocation& location) {
   std::error_code ignored;
-  if (fs::is_other(fs::status(file, ignored))) {  // the loader would wait for ever at the end of a pipe
+  if (fs::is_other(fs::status(file, ignored))) {  // the loader would wait forever for the end of a pipe
     throw ConfigError(location, "library '" + library + "': found '" + file +
                                     "', which is a pipe or a device; allowed: a regular file");
   }

@@ -10,7 +10,7 @@ namespace {
 constexpr int kLogsPerSecond = 10;
 constexpr std::size_t kLongestLog = 10000;  // [bytes]
 
-/// Up to so many bytes of a text, without the rest of a letter of several bytes.
+/// Returns at most the first `bytes` bytes of a text, without an incomplete UTF-8 character at the end.
 std::string_view beginOf(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) {
     return text;

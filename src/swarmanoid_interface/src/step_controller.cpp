@@ -29,7 +29,7 @@ std::shared_ptr<Controller> startController(const std::function<std::shared_ptr<
   try {
     callUserCode({"init", part, robot.name()}, [&] { controller->init(robot, parameters); });
   } catch (...) {
-    // destroy() is not called, for init did not complete
+    // destroy() is not called, since init did not complete
     letGo(controller, part, robot);
     throw;
   }

@@ -1,4 +1,4 @@
-// Values from experiment files: which are read, and the exact messages for those that are refused.
+// Values from experiment files: accepted values, and the exact messages for refused ones.
 #include "swarmanoid_interface/configuration.hpp"
 
 #include <gtest/gtest.h>

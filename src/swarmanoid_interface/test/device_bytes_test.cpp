@@ -1,4 +1,4 @@
-// Devices as bytes: what one process writes another one reads, to the last bit.
+// Devices as bytes: a process reads the values that another one wrote, to the last bit.
 #include <gtest/gtest.h>
 
 #include <cstddef>

@@ -176,7 +176,7 @@ TEST(DeviceTypeTest, FieldsAreDescribed) {
   EXPECT_EQ("blobs[].color.red", countedName(camera[0]));
 }
 
-/// Corners of what a camera of a test sees: a span of structs that have arrays, of numbers and of structs.
+/// A camera for tests that reports corners: a span of structs that contain arrays of numbers and of structs.
 struct Outlines {
   static constexpr const char* kType = "outlines_of_a_test";
   struct Corner {
@@ -301,7 +301,7 @@ TEST(DeviceTypeTest, EveryNumberIsLookedAtForFiniteness) {
   EXPECT_FALSE(findDeviceType("eyebot_velocity")->is_finite(&velocity));
 }
 
-/// By REP-117, that is, what is too far or too near.
+/// By REP-117, distances are infinite for objects too far or too near.
 TEST(DeviceTypeTest, MeasuredDistancesNeedNotBeFinite) {
   const DeviceType& type = *findDeviceType(HandbotDistance::kType);
   HandbotDistance ring;

@@ -66,7 +66,7 @@ TEST(MathLibraryTest, IsWhatItIsCalled) {
   EXPECT_EQ(sineThatTells(), is_any ? 0x1.ba53e19df2e6ap-1 : 0x1.ba53e19df2e69p-1) << mathLibrary();
 }
 
-/// Ends with 0 where the sine is that of the fixed library.
+/// Exits with 0 if the sine is that of the fixed library.
 [[noreturn]] void startAnew(const char* tunables) {
   setenv("GLIBC_TUNABLES", tunables, 1);
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();

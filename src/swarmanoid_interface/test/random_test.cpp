@@ -185,7 +185,7 @@ TEST(RandomStreamTest, BelowReachesEachNumberEquallyOften) {
   }
 }
 
-/// As in Python.
+/// The defaults are those of Python.
 TEST(RandomStreamTest, AGaussianNumberIsStandardNormalUnlessMoreIsSaid) {
   RandomStream one(7, 11);
   RandomStream other(7, 11);

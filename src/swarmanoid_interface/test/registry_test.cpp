@@ -1,4 +1,4 @@
-// The list of plugins: which plugin is found under which name, and what happens when two have the same name.
+// The registry of plugins: lookup by name, and conflicts between plugins of the same name.
 #include "swarmanoid_interface/registry.hpp"
 
 #include <gtest/gtest.h>

@@ -56,7 +56,7 @@ TEST(UserCallHoldTest, NobodyEntersOrLeavesUsersCodeUntilItIsTakenBack) {
   });
   for (int i = 0; i < 200; ++i) {
     const std::uint64_t before = calls;
-    while (calls < before + 3) {  // the thread goes on after the last release
+    while (calls < before + 3) {  // the thread continues after the last release
       std::this_thread::yield();
     }
     holdUserCalls();

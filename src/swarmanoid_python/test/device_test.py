@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Devices by the names of their fields, in scenes that are worked out by hand."""
+"""Access to devices by the names of their fields, against values computed by hand."""
 
 import copy
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Layouts and frames in Python against bytes that are written out here by hand."""
+"""Layouts and frames in Python against bytes written by hand."""
 
 import struct
 import types
@@ -10,7 +10,7 @@ from swarmanoid_python.layout import Layout
 
 
 class Truthful:
-    """Has a truth, as nearly everything has, and is no truth value."""
+    """Converts to bool but is no boolean."""
 
     def __bool__(self):
         return True
@@ -92,7 +92,7 @@ def device(kind, layout, names):
 
 
 class Follower:
-    """Commands what it reads, doubled; fails at 4."""
+    """Commands twice its reading; fails at 4."""
 
     made = 0
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Addresses are those that controllers in C++ know (radio_test.cpp of swarmanoid_devices)."""
+"""Addresses equal those of C++ controllers (radio_test.cpp of swarmanoid_devices)."""
 import unittest
 
 from swarmanoid_python import radio

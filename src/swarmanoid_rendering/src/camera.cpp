@@ -17,9 +17,9 @@ CameraAxes axesOf(const Camera& camera) {
 }
 
 Camera overview(const Eigen::AlignedBox3d& seen, double field_of_view, double aspect) {
-  constexpr double kPitch = -0.85;  // that of rviz's view at first
+  constexpr double kPitch = -0.85;  // as rviz's initial view
   constexpr double kHeadingNorth = 0.5 * M_PI;
-  constexpr double kMargin = 1.04;  // walls stand around the arena
+  constexpr double kMargin = 1.04;  // for the walls around the arena
   Camera camera;
   camera.heading = kHeadingNorth;
   camera.pitch = kPitch;
@@ -27,7 +27,7 @@ Camera overview(const Eigen::AlignedBox3d& seen, double field_of_view, double as
   const CameraAxes axes = axesOf(camera);
   const Vector3d size = seen.sizes();
   const double across = std::tan(0.5 * field_of_view) / kMargin;
-  double distance = 0.0;  // from the middle, so that the nearest of the eight corners is on the border
+  double distance = 0.0;  // from the centre; the outermost of the eight corners lies on the border
   for (int corner = 0; corner < 8; ++corner) {
     const Vector3d side((corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5, (corner & 4) != 0 ? 0.5 : -0.5);
     const Vector3d from_middle = side.cwiseProduct(size);

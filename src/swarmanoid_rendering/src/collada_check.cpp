@@ -1,5 +1,5 @@
-// What assimp's reader of Collada does not check: indices into arrays, counts that memory is reserved for, references
-// that lead back to where they started, elements that fail its assertions.
+// Checks that assimp's reader of Collada lacks: indices into arrays, counts that it reserves memory for, circular
+// references, elements that fail its assertions.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -15,7 +15,7 @@
 namespace swarmanoid {
 namespace {
 
-constexpr std::size_t kMostParameters = 4;  // of an accessor; assimp copies no more values, and overruns behind them
+constexpr std::size_t kMostParameters = 4;  // of an accessor; with more, assimp overruns its buffer
 
 class ColladaCheck {
  public:
@@ -135,7 +135,7 @@ class ColladaCheck {
 
   void openAccessor(const XmlTag& tag) {
     const std::string source = attributeOf(tag, "source");
-    if (source == "#") {  // assimp finds an array without an id
+    if (source == "#") {  // assimp would resolve it to an array without an id
       refuseAt(tag.line, "source='#' of <accessor>, allowed: '#' and an id");
     }
     accessors_.push_back({tag.line, source.substr(source.empty() ? 0 : 1), numberOf(tag, "count", 0, most_),
@@ -148,7 +148,7 @@ class ColladaCheck {
     }
   }
 
-  /// Assimp forgets the data of a source when it reads another one with its id.
+  /// Rejects a second source with the same id: assimp would drop the data of the first.
   void openSource(const XmlTag& tag) {
     const std::string id = attributeOf(tag, "id");
     if (!id.empty() && !sources_.insert(id).second) {
@@ -156,7 +156,7 @@ class ColladaCheck {
     }
   }
 
-  /// An empty name of a file fails an assertion of the library.
+  /// Rejects an empty file name: it fails an assertion of assimp.
   void openPicture(const XmlTag& tag) const {
     if (!isIn("image")) {
       return;
@@ -171,7 +171,7 @@ class ColladaCheck {
     for (const Accessor& accessor : accessors_) {
       const auto found = arrays_.find(accessor.source);
       if (found == arrays_.end()) {
-        continue;  // the library reports it
+        continue;  // assimp reports it
       }
       const Array& array = found->second;
       if (!array.has_numbers) {
@@ -188,14 +188,14 @@ class ColladaCheck {
   }
 
   XmlTags tags_;
-  bool is_version_14_ = false;  ///< names of pictures stand in <ref> since 1.5
-  std::size_t most_;            ///< of what needs a byte of the file each
+  bool is_version_14_ = false;  ///< since 1.5 image names are in <ref>
+  std::size_t most_;            ///< upper bound of counts: each item needs a byte of the file
   std::map<std::string, Array> arrays_;
   std::set<std::string> sources_;
   std::vector<Accessor> accessors_;
   ColladaShapes shapes_;
   ColladaNodes nodes_;
-  ColladaParameters parameters_;  ///< of the effect that is open
+  ColladaParameters parameters_;  ///< of the open effect
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace swarmanoid {
 namespace {
 
-constexpr std::size_t kDeepest = 1000;  // nodes in nodes, with all copies
+constexpr std::size_t kDeepest = 1000;  // nesting depth of nodes, with all copies
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void ColladaNodes::instance(const XmlTag& tag) {
   if (url.empty() || url.front() != '#') {
     return;  // assimp reads no other files
   }
-  if (url == "#") {  // assimp finds what has no id, and fails an assertion for geometries
+  if (url == "#") {  // assimp would resolve it to elements without an id; geometries fail an assertion
     refuseAt(tag.line, "url='#' of <" + std::string(tag.name) + ">, allowed: '#' and an id");
   }
   if (tag.name == "instance_node") {

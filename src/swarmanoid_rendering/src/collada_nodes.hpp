@@ -1,5 +1,5 @@
-/// The nodes of a Collada file: assimp copies them as often as they are instanced, without a limit, and runs out of
-/// stack where a copy contains itself.
+/// The nodes of a Collada file. Assimp copies a node for each instance of it, without a limit, and overflows the stack
+/// if a node contains itself.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace swarmanoid {
 
 class ColladaNodes {
  public:
-  static constexpr std::size_t kMostNodes = 100000;  ///< and what they instance, with all copies
+  static constexpr std::size_t kMostNodes = 100000;  ///< nodes and instances, with all copies
 
   /// A <node> begins, or a <visual_scene>, which assimp reads as a node.
-  /// @param is_in_library assimp searches these for an id before all other nodes
+  /// @param is_in_library whether assimp searches this node for an id before all others
   /// @throws std::runtime_error as check
   void open(const XmlTag& tag, bool is_in_library);
   /// The innermost open node ends.
@@ -30,18 +30,18 @@ class ColladaNodes {
   void check(const std::map<std::string, std::size_t>& corners);
 
  private:
-  /// What a node draws, with all that is in it.
+  /// Content of a node, with its children and instances.
   struct Drawn {
-    std::size_t nodes = 0;  ///< 0: not known yet
+    std::size_t nodes = 0;  ///< 0: not computed yet
     std::size_t corners = 0;
-    std::size_t height = 0;  ///< nodes on the longest way down
+    std::size_t height = 0;  ///< depth of the tree below, in nodes
   };
   struct Node {
     int line = 0;
     std::vector<std::size_t> children;
     std::vector<std::string> nodes;       ///< instances: ids or names
     std::vector<std::string> geometries;  ///< instances: ids
-    std::size_t instances = 0;            ///< of anything
+    std::size_t instances = 0;            ///< of any kind
     Drawn drawn;
     bool is_entered = false;
     bool is_nested = false;
@@ -57,7 +57,7 @@ class ColladaNodes {
   Drawn found_;                      ///< nodes and instances in the file
   Ids library_;                      ///< by id
   Ids all_;                          ///< by id and by name
-  std::vector<std::size_t> around_;  ///< nodes that are open
+  std::vector<std::size_t> around_;  ///< open nodes, outermost first
 };
 
 }  // namespace swarmanoid

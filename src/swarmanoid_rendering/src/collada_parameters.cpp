@@ -6,7 +6,7 @@ namespace swarmanoid {
 
 void ColladaParameters::open(const XmlTag& tag) {
   last_ = attributeOf(tag, "sid");
-  if (last_.empty()) {  // a parameter without a reference would refer to it
+  if (last_.empty()) {  // a parameter without a reference would resolve to it
     refuseAt(tag.line, "a <newparam> without a sid, allowed: sid=\"...\"");
   }
   parameters_[last_];

@@ -1,5 +1,5 @@
-/// The parameters of an effect in a Collada file: each refers to another one or to an image, and assimp follows
-/// references in circles for ever.
+/// The parameters of an effect in a Collada file. Each refers to another parameter or to an image, and assimp follows
+/// circular references without end.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ class ColladaParameters {
   /// version of the file decides which one assimp takes.
   void refer(const std::string& name);
 
-  /// At the end of an effect; forgets its parameters.
-  /// @throws std::runtime_error "line N: found ..." for references in a circle, or through too many parameters
+  /// Checks the parameters at the end of an effect, and clears them.
+  /// @throws std::runtime_error "line N: found ..." for circular references and for chains that are too long
   void check(int line);
 
  private:

@@ -9,8 +9,8 @@
 namespace swarmanoid {
 namespace {
 
-constexpr std::size_t kMostOffset = 1000;  // of an input among those of a corner
-constexpr std::size_t kMostInputs = 32;    // each copies a value for each corner
+constexpr std::size_t kMostOffset = 1000;  // of an input within the indices of a corner
+constexpr std::size_t kMostInputs = 32;    // assimp copies a value per input and corner
 
 bool isShape(std::string_view name) {
   static const std::set<std::string_view> kShapes{"triangles",  "polylist", "polygons", "lines",
@@ -18,7 +18,7 @@ bool isShape(std::string_view name) {
   return kShapes.count(name) != 0;
 }
 
-/// Whether assimp reads this input; its offset does not count otherwise.
+/// Whether assimp reads this input; it ignores the offset of others.
 bool isSemantic(std::string_view name) {
   static const std::set<std::string_view> kSemantics{"BINORMAL",    "COLOR",      "NORMAL",   "POSITION", "TANGENT",
                                                      "TEXBINORMAL", "TEXTANGENT", "TEXCOORD", "VERTEX"};
@@ -72,7 +72,7 @@ void ColladaShapes::openIndices(const XmlTag& tag) {
   }
   std::size_t indices = 0;
   forWords(textOf(tag), [&](std::string_view word) {
-    numberIn(word, "an index", tag.line, most_);  // the library waits for ever behind another word
+    numberIn(word, "an index", tag.line, most_);  // assimp never returns from another word
     ++indices;
   });
   if (shape_.name.empty()) {
@@ -81,7 +81,7 @@ void ColladaShapes::openIndices(const XmlTag& tag) {
   if (indices > 0 && !shape_.has_vertices) {
     refuseAt(tag.line, "<p> without an input VERTEX before it, allowed: after it");
   }
-  // only triangles and polylists of no faces may have lists without indices
+  // only triangles and polylists with count 0 may have lists without indices
   shape_.lists += indices > 0 || shape_.count > 0 || shape_.name == "polygons" ? 1 : 0;
   if ((shape_.name == "trifans" || shape_.name == "tristrips") && indices < 3 * shape_.width) {
     refuseAt(tag.line, std::to_string(indices) + " indices in <" + std::string(shape_.name) + ">, allowed: at least " +
@@ -92,7 +92,7 @@ void ColladaShapes::openIndices(const XmlTag& tag) {
 
 void ColladaShapes::addCorners(std::size_t indices, int line) {
   const std::size_t shared = shape_.name == "tristrips" ? 3 : shape_.name == "linestrips" ? 2 : 1;
-  // strips copy the corners that faces share; a list without corners is a face in memory, too
+  // strips copy shared corners; a list without corners still becomes a face in memory
   const std::size_t corners = std::max<std::size_t>(1, indices / shape_.width * shared);
   corners_[geometry_] += corners;
   all_corners_ += corners;
@@ -120,7 +120,7 @@ void ColladaShapes::close(const XmlTag& tag) {
   if (!isShape(tag.name)) {
     return;
   }
-  // another number of lists fails an assertion of the library
+  // another number of lists fails an assertion of assimp
   const bool has_one_list = shape_.name == "triangles" || shape_.name == "polylist";
   const std::size_t lists = has_one_list ? std::min<std::size_t>(shape_.count, 1) : shape_.count;
   if ((has_one_list || shape_.name == "polygons") && shape_.lists != lists) {

@@ -1,5 +1,5 @@
-/// The faces of the geometries in a Collada file: assimp trusts that they have positions, and reserves and copies what
-/// they say.
+/// The faces of the geometries in a Collada file. Assimp does not check that they have positions, and reserves and
+/// copies as much as their counts say.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace swarmanoid {
 
 class ColladaShapes {
  public:
-  /// @param most of what needs a byte of the file each
+  /// @param most upper bound of counts and indices: each item needs a byte of the file
   explicit ColladaShapes(std::size_t most) : most_(most) {}
 
   /// A tag begins: a <geometry>, its <vertices>, faces such as <triangles>, or a part of these; ignores all others.
@@ -22,15 +22,15 @@ class ColladaShapes {
   /// A tag ends. @throws std::runtime_error for a wrong number of lists of indices
   void close(const XmlTag& tag);
 
-  /// Of each geometry, by id; an upper bound.
+  /// Number of corners of each geometry, by id; an upper bound.
   const std::map<std::string, std::size_t>& corners() const { return corners_; }
 
  private:
   struct Shape {
     std::string_view name;
-    std::size_t count = 0;   ///< of faces, as the file says
-    std::size_t width = 1;   ///< indices of a corner
-    std::size_t inputs = 0;  ///< the ones of <vertices> count apart
+    std::size_t count = 0;   ///< of faces, as stated in the file
+    std::size_t width = 1;   ///< indices per corner
+    std::size_t inputs = 0;  ///< without those of <vertices>
     std::size_t lists = 0;   ///< of indices
     bool has_corners = false;
     bool has_vertices = false;
@@ -42,10 +42,10 @@ class ColladaShapes {
   void addCorners(std::size_t indices, int line);
 
   std::size_t most_;
-  std::string geometry_;           ///< id of the last one
+  std::string geometry_;           ///< id of the last <geometry>
   std::size_t vertex_inputs_ = 0;  ///< of its <vertices>, so far
   bool has_positions_ = false;     ///< of the last <mesh>, so far
-  Shape shape_;                    ///< around what is read
+  Shape shape_;                    ///< around the current tag
   std::size_t all_corners_ = 0;    ///< without copies
   std::map<std::string, std::size_t> corners_;
 };

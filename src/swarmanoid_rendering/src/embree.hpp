@@ -1,4 +1,4 @@
-/// Embree 3, of Debian 12, and Embree 4, of Debian 13, as one.
+/// One interface for Embree 3 (Debian 12) and Embree 4 (Debian 13).
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)

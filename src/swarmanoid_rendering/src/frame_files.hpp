@@ -1,5 +1,4 @@
-/// Numbered PNG files of a run in one folder: frame_000000.png, frame_000001.png, ... Each is there as a whole or not
-/// at all.
+/// Numbered PNG files of a run in one folder: frame_000000.png, frame_000001.png, ... Each file is written atomically.
 #pragma once
 
 #include <memory>
@@ -13,12 +12,12 @@ namespace swarmanoid {
 
 class FrameFiles {
  public:
-  /// Makes the folder.
-  /// @param parameters frame_directory, and frame_filename, how names begin @param id of the observer
-  /// @throws ConfigError if such files are there and may not be replaced, or may not be written, see OutFolder
+  /// Creates the folder.
+  /// @param parameters frame_directory and frame_filename, the prefix of the names @param id of the observer
+  /// @throws ConfigError if such files exist and may not be replaced, or may not be written, see OutFolder
   FrameFiles(const RunContext& context, const Configuration& parameters, const std::string& id);
 
-  /// The next one. @throws std::exception as OutFolder::writeWhole
+  /// Writes the next file. @throws std::exception as OutFolder::writeWhole
   void write(const std::vector<char>& png);
 
  private:
@@ -26,7 +25,7 @@ class FrameFiles {
 
   std::shared_ptr<OutFolder> out_;
   OutFolder::Writer writer_;
-  std::string begin_;  // of the names, with the folder
+  std::string begin_;  // prefix of the names, with the folder
   std::size_t count_ = 0;
 };
 

@@ -8,7 +8,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTurn = 2.0 * M_PI;
-constexpr int kSides = 40;  // of what is round, where it is made of triangles
+constexpr int kSides = 40;  // of a circle that is approximated by triangles
 
 Vector3d onCircle(int side) {
   const double angle = kTurn * side / kSides;

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "element vertex 1000" in the head of a PLY file: room for so many is made before they are read, and each has a byte
-/// at least.
+/// Checks counts such as "element vertex 1000" in the header of a PLY file: assimp reserves memory for them before it
+/// reads the elements, and each element needs at least one byte.
 void checkPly(const std::string& text) {
   std::istringstream head(text.substr(0, text.find("end_header")));
   int number = 0;

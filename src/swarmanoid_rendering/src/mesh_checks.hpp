@@ -1,5 +1,5 @@
-/// What is refused of a mesh file before assimp reads it: its readers trust numbers in files, read beyond arrays,
-/// follow references in circles and reserve what files say that they need.
+/// Checks of a mesh file before assimp reads it. Assimp's readers trust numbers in files: they read beyond arrays,
+/// follow circular references, and reserve as much memory as the file states.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 namespace swarmanoid {
 
 constexpr std::size_t kLongestMesh = std::size_t{1} << 28U;  ///< [bytes]
-/// Corners of one face: to cut it into triangles takes the square of them in time.
+/// Corners of one face: the time to cut it into triangles grows with their square.
 constexpr std::size_t kMostCorners = 1000;
-/// Corners of all faces, with all copies that instances make: assimp gives each a vertex of its own.
+/// Corners of all faces, with all copies by instances: assimp gives each corner a vertex of its own.
 constexpr std::size_t kMostDrawnCorners = 30'000'000;
 
-/// @throws std::runtime_error what was found, and what is allowed
+/// @throws std::runtime_error with the values found and allowed
 void checkMeshFile(const std::string& file);
 
-/// A Collada file, as the sum of its text. @throws std::runtime_error "line N: found ..., allowed: ..."
+/// Checks the text of a Collada file. @throws std::runtime_error "line N: found ..., allowed: ..."
 void checkCollada(const std::string& text);
 
 }  // namespace swarmanoid

@@ -34,8 +34,8 @@ std::string fileOf(const std::string& resource) {
   return file_there;
 }
 
-/// The faces that are drawn, with all copies of nodes. @throws std::runtime_error what takes too long to cut and to
-/// draw
+/// Checks the drawn faces, with all copies of nodes. @throws std::runtime_error if they would take too long to cut into
+/// triangles and to draw
 void checkFaces(const aiScene& scene) {
   std::vector<std::size_t> corners_of(scene.mNumMeshes);
   for (unsigned number = 0; number < scene.mNumMeshes; ++number) {
@@ -64,7 +64,7 @@ void checkFaces(const aiScene& scene) {
   }
 }
 
-/// An error in plain words: the standard library names only what threw, such as "std::bad_alloc" or "vector::reserve".
+/// Readable text of an error: the standard library gives only a name such as "std::bad_alloc" or "vector::reserve".
 std::string reasonOf(const std::string& error) {
   const bool is_bare_name = error.substr(0, error.find(' ')).find("::") != std::string::npos;
   return is_bare_name ? "found counts that do not fit the file, or that need more memory than there is" : error;
@@ -109,7 +109,7 @@ const std::vector<MeshFiles::Triangle>& MeshFiles::read(const std::string& resou
     throw std::runtime_error("mesh of a robot: '" + resource + "': " + reason);
   };
   Assimp::Importer importer;
-  // rviz leaves the axes of Collada files as they are, too
+  // keep the axes of Collada files, as rviz does
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene = nullptr;
   std::vector<Triangle> triangles;
@@ -118,13 +118,13 @@ const std::vector<MeshFiles::Triangle>& MeshFiles::read(const std::string& resou
     scene = importer.ReadFile(file, 0);
     if (scene != nullptr && scene->mRootNode != nullptr) {
       checkFaces(*scene);
-      // all nodes in the frame of the file
+      // move all nodes into the frame of the file
       scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices);
     }
     if (scene != nullptr) {
       take(*scene, triangles);
     }
-  } catch (const std::exception& error) {  // std::bad_alloc, too
+  } catch (const std::exception& error) {  // includes std::bad_alloc
     refuse(reasonOf(error.what()));
   }
   if (scene == nullptr) {

@@ -19,8 +19,9 @@ class MeshFiles {
     std::optional<Tint> tint;  ///< of its material, if the file has one
   };
 
-  /// Each file is read once: .dae, .obj, .ply or .stl, after checkMeshFile. Valid as long as this.
-  /// @throws std::runtime_error with the file and the reason if it is not there, is refused, or cannot be read
+  /// Triangles of a .dae, .obj, .ply or .stl file, which passes checkMeshFile first. Each file is read once; the result
+  /// lives as long as this object.
+  /// @throws std::runtime_error with the file and the reason if it is missing, rejected, or cannot be read
   const std::vector<Triangle>& read(const std::string& resource);
 
  private:

@@ -1,4 +1,4 @@
-// The graphical visualisation of thesis 3.6.2. Its window is rviz; its frames are written here, with or without a
+// The graphical visualisation of thesis 3.6.2. Rviz is its window; this observer writes its frames, with or without a
 // display.
 #include <algorithm>
 #include <cmath>
@@ -86,14 +86,14 @@ class OpenglRender final : public Observer {
       camera_ = overview(
           {Eigen::Vector3d(space.corner.x(), space.corner.y(), 0.0), Eigen::Vector3d(far.x(), far.y(), topOf(space))},
           camera_.field_of_view, static_cast<double>(width_) / height_);
-      sees_all_ = false;  // from here on it stands
+      sees_all_ = false;  // the camera stays there
     }
     view_->show(space, *tracer_);
     files_->write(toPng(tracer_->render(camera_, width_, height_, options_)));
   }
 
  private:
-  /// Of what can move: arenas are often far higher.
+  /// Highest z of the movable entities [m]: arenas are often far higher.
   static double topOf(const Space& space) {
     double top = 0.0;
     for (const Row row : space.entities.order) {
@@ -116,7 +116,7 @@ class OpenglRender final : public Observer {
     }
   }
 
-  /// @throws ConfigError for what says something of a camera that has no place
+  /// @throws ConfigError for settings of a camera without a position
   static void refuseWithoutPlace(const Configuration& parameters) {
     const int number = static_cast<int>(parameters.integer("camera", 0));
     for (const std::string& name : {std::string("camera"), anglesName(number)}) {
@@ -139,10 +139,10 @@ class OpenglRender final : public Observer {
   int width_ = kWidth;
   int height_ = kHeight;
   Camera camera_;
-  bool sees_all_ = false;  // the camera is still to be placed so
+  bool sees_all_ = false;  // the first frame places the camera so that it sees the whole arena
   RayTracer::Options options_;
   std::uint64_t every_ = 1;
-  std::optional<WorldView> view_;  // these three: if frames are written
+  std::optional<WorldView> view_;  // these three are set only if frames are written
   std::optional<RayTracer> tracer_;
   std::optional<FrameFiles> files_;
 };

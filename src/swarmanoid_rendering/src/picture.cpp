@@ -13,7 +13,7 @@ std::vector<char> toPng(const Picture& picture) {
   image.width = static_cast<png_uint_32>(picture.width);
   image.height = static_cast<png_uint_32>(picture.height);
   image.format = PNG_FORMAT_RGB;
-  image.flags = PNG_IMAGE_FLAG_FAST;  // twice as fast, files a little larger
+  image.flags = PNG_IMAGE_FLAG_FAST;  // twice as fast; files are a little larger
   std::vector<char> file(PNG_IMAGE_PNG_SIZE_MAX(image));
   png_alloc_size_t size = file.size();
   constexpr int kEightBits = 0;

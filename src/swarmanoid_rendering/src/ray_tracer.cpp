@@ -18,21 +18,21 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr int kMostLayers = 32;   // translucent surfaces that a ray goes through
-constexpr float kLeast = 0.004F;  // of a colour that is still seen, of 256 steps
+constexpr int kMostLayers = 32;   // translucent surfaces along a ray
+constexpr float kLeast = 0.004F;  // smallest visible fraction of a colour: one of 256 steps
 constexpr std::array<RTCGeometryType, 3> kKinds = {RTC_GEOMETRY_TYPE_TRIANGLE, RTC_GEOMETRY_TYPE_SPHERE_POINT,
                                                    RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE};
 
 struct Hit {
   float distance = std::numeric_limits<float>::infinity();
   bool is_rod = false;
-  Vector3f normal = Vector3f::Zero();  // towards where the ray comes from
+  Vector3f normal = Vector3f::Zero();  // towards the origin of the ray
   Tint tint = Tint::Zero();
 
   bool isOne() const { return std::isfinite(distance); }
 };
 
-/// How far behind a surface a ray goes on [m]: more than floats have rounded on the way there.
+/// Offset from a surface at which a ray continues [m]: larger than the rounding of floats up to the hit.
 float aside(const Vector3f& from, float distance) {
   return std::max(2e-4F, 4e-6F * (from.cwiseAbs().maxCoeff() + distance));
 }
@@ -41,7 +41,7 @@ std::uint8_t toByte(float part) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(part, 0.0F, 1.0F)));
 }
 
-/// A buffer of Embree's, which is a little longer than its content.
+/// Copies values to a buffer of Embree, which is a little longer than its content.
 template <class Value>
 void fill(RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<Value>& values) {
   void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size());
@@ -60,7 +60,7 @@ class RayTracer::Scene {
       throw std::runtime_error("Embree cannot be started, error " + std::to_string(rtcGetDeviceError(nullptr)));
     }
     scene_ = rtcNewScene(device_);
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);  // parts that stay are not sorted anew
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);  // unchanged parts are not rebuilt
     rtcCommitScene(scene_);
   }
   ~Scene() {
@@ -98,7 +98,7 @@ class RayTracer::Scene {
     rtcCommitScene(scene_);
   }
 
-  /// What is seen along a ray. @param direction of length 1
+  /// Colour seen along a ray. @param direction of length 1
   Vector3f look(const Vector3f& from, const Vector3f& direction, bool has_shadows) const {
     Vector3f seen = Vector3f::Zero();
     float left = 1.0F;
@@ -125,7 +125,7 @@ class RayTracer::Scene {
     fill_in(made);
     rtcCommitGeometry(made);
     rtcAttachGeometryByID(scene_, made, static_cast<unsigned>(number));
-    rtcReleaseGeometry(made);  // the scene keeps it
+    rtcReleaseGeometry(made);  // the scene keeps a reference
     tints_[number] = std::move(tints);
   }
 
@@ -162,7 +162,7 @@ class RayTracer::Scene {
     return hit;
   }
 
-  /// What part of its colour is seen of a surface. @param at just before it
+  /// Visible fraction of the colour of a surface. @param at point just in front of it
   float light(const Vector3f& at, const Vector3f& normal, bool has_shadows) const {
     const float slope = normal.dot(sun());
     if (slope <= 0.0F) {
@@ -171,7 +171,7 @@ class RayTracer::Scene {
     return kAmbient + (1.0F - kAmbient) * slope * (has_shadows ? sunlight(at) : 1.0F);
   }
 
-  /// The part of the sun's light that gets there.
+  /// Fraction of the sun's light that reaches a point.
   float sunlight(const Vector3f& at) const {
     float left = 1.0F;
     float nearest = 0.0F;
@@ -188,7 +188,7 @@ class RayTracer::Scene {
 
   RTCDevice device_;
   RTCScene scene_ = nullptr;
-  std::array<std::vector<Tint>, 2 * kKinds.size()> tints_;  // by the number of a geometry
+  std::array<std::vector<Tint>, 2 * kKinds.size()> tints_;  // by geometry number
 };
 
 RayTracer::RayTracer(int threads) : scene_(std::make_unique<Scene>()), threads_(threads) {}

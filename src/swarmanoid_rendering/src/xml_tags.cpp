@@ -26,7 +26,8 @@ void XmlTags::skipPast(std::string_view end, const char* what) {
   at_ = place + end.size();
 }
 
-/// Parsers read an instruction as a node with a name, and the quotes of the first one as those of an element.
+/// Rejects instructions inside elements: parsers read an instruction as a node with a name, and take the quotes of the
+/// first one for those of an element.
 void XmlTags::skipInstruction() {
   if (!open_.empty()) {
     refuse("an instruction in <" + std::string(open_.back()) + ">, allowed: before the first element");
@@ -56,7 +57,7 @@ bool XmlTags::findTag() {
     }
     const std::string_view rest = text_.substr(at_);
     if (startsWith(rest, "<!--")) {
-      at_ += 4;  // "<!-->" has no end yet
+      at_ += 4;  // "<!-->" does not end a comment
       skipPast("-->", "a comment");
     } else if (startsWith(rest, "<?")) {
       skipInstruction();
@@ -118,7 +119,7 @@ void XmlTags::close(const XmlTag& tag) {
     refuse("</" + std::string(tag.name) + ">, allowed: the end of the element that is open");
   }
   open_.pop_back();
-  if (text_[at_ - 1] != '>') {  // else of an element without content
+  if (text_[at_ - 1] != '>') {  // otherwise the tag of an element without content
     skipSpace();
     if (at_ >= text_.size() || text_[at_] != '>') {
       refuse("</" + std::string(tag.name) + " without '>', allowed: nothing else in it");

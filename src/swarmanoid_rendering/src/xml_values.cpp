@@ -24,7 +24,7 @@ std::string utf8Of(std::uint32_t code) {
   return {byte(0xF0, 18, 0x07), byte(0x80, 12, 0x3F), byte(0x80, 6, 0x3F), byte(0x80, 0, 0x3F)};
 }
 
-/// The character that a reference stands for: "amp", "#97", "#x61"; an empty string if there is none.
+/// The character of a reference such as "amp", "#97" or "#x61"; an empty string if there is none.
 std::string characterOf(std::string_view reference) {
   static const std::map<std::string_view, char> kNamed{
       {"amp", '&'}, {"apos", '\''}, {"gt", '>'}, {"lt", '<'}, {"quot", '"'}};

@@ -16,8 +16,7 @@ namespace swarmanoid {
 /// The text in quotation marks for a message, cut if it is long.
 std::string inQuotes(std::string_view text);
 
-/// A string as pugixml, the parser of assimp, hands it on: references such as &amp; and &#97; stand for their
-/// characters.
+/// Decodes a string as pugixml, the parser of assimp, does: references such as &amp; and &#97; become characters.
 /// @param is_attribute tabs and ends of lines become spaces; in texts all ends of lines become "\n"
 /// @throws std::runtime_error for any other '&'
 std::string decoded(std::string_view raw, int line, bool is_attribute);
@@ -25,13 +24,13 @@ std::string decoded(std::string_view raw, int line, bool is_attribute);
 /// The decoded value, or an empty string if the tag has no such attribute.
 std::string attributeOf(const XmlTag& tag, std::string_view name);
 
-/// The text of an element, as it is written. @throws std::runtime_error if the element has other content, too
+/// The raw text of an element. @throws std::runtime_error if the element has other content
 std::string_view textOf(const XmlTag& tag);
 
 /// @throws std::runtime_error unless the word is a whole number from 0 to `most`
 std::size_t numberIn(std::string_view word, const std::string& what, int line, std::size_t most);
 
-/// An attribute that is a number. @param fallback without the attribute
+/// A numeric attribute. @param fallback value if the attribute is missing
 std::size_t numberOf(const XmlTag& tag, const char* name, std::size_t fallback, std::size_t most);
 
 /// Calls `take` for each word of a text.

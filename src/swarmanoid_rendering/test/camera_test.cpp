@@ -26,7 +26,8 @@ TEST(CameraTest, HeadingTurnsLeftPitchLooksUpAndRollLiftsTheLeft) {
   const CameraAxes axes = axesOf(camera);
   EXPECT_NEAR(std::atan2(axes.forward.y(), axes.forward.x()), 0.61, 1e-12);
   EXPECT_NEAR(std::asin(axes.forward.z()), -0.43, 1e-12);
-  // level, the right side has no height; rolled, it sinks by the sine, of what is upright
+  // without roll the right axis is horizontal; with roll it sinks by the sine of the roll, scaled by the cosine of
+  // pitch
   EXPECT_NEAR(axes.right.z(), -std::sin(0.27) * std::cos(-0.43), 1e-12);
   EXPECT_TRUE(axes.right.cross(axes.forward).isApprox(axes.up, 1e-12));
   EXPECT_NEAR(axes.up.norm(), 1.0, 1e-12);
@@ -39,7 +40,7 @@ TEST(CameraTest, AnOverviewHasAllCornersInThePictureAndOneNearItsBorder) {
       const Vector3d least(-1.7, 0.4, 0.2);
       const Camera camera = overview({least, Vector3d(least + size)}, field_of_view, aspect);
       const CameraAxes axes = axesOf(camera);
-      double farthest = 0.0;  // from the middle of the picture, 1: at its border
+      double farthest = 0.0;  // from the centre of the picture; 1: at its border
       for (int corner = 0; corner < 8; ++corner) {
         const Vector3d at((corner & 1) != 0 ? size.x() : 0.0, (corner & 2) != 0 ? size.y() : 0.0,
                           (corner & 4) != 0 ? size.z() : 0.0);

@@ -1,4 +1,4 @@
-// Collada files that assimp would crash on, or read without an end, and the exact reasons for which they are refused.
+// Collada files that would crash assimp or make it read without end, and the exact reasons for their rejection.
 #include <random>
 
 #include "mesh_files_fixture.hpp"
@@ -80,7 +80,7 @@ TEST_F(ColladaCheckTest, RefusesNodesWithoutAnEnd) {
             "line 11: found more than 100000 nodes and instances with all copies, allowed: fewer");
   EXPECT_EQ(readCollada({{node, repeated("<node>", 20000) + node}, {"</node>", repeated("</node>", 20001)}}),
             "line 11: found elements nested more than 200 deep, allowed: fewer");
-  std::string chain = "<library_nodes><node id='m0'/>";  // each is known when the next one copies it
+  std::string chain = "<library_nodes><node id='m0'/>";  // each is computed before the next one copies it
   for (int i = 1; i <= 6; ++i) {
     chain += "<node id='m" + std::to_string(i) + "'>" + repeated("<node>", 190) + "<instance_node url='#m" +
              std::to_string(i - 1) + "'/>" + repeated("</node>", 191);
@@ -100,7 +100,7 @@ TEST_F(ColladaCheckTest, ComparesIdsAsTheLibraryReadsThem) {
     EXPECT_EQ(readNode("id='n'", "#" + reference),
               "line 11: found '&' in '#" + reference + "', allowed: &amp;, &apos;, &gt;, &lt;, &quot; and &#number;");
   }
-  EXPECT_EQ(readNode("id='n'", "#Scene"), kIntoItself);  // the name that assimp gives to scenes
+  EXPECT_EQ(readNode("id='n'", "#Scene"), kIntoItself);  // assimp's default name of scenes
   EXPECT_EQ(readNode("id='n'", "#s"), kIntoItself);
   EXPECT_EQ(readNode("", "#"), "line 11: found url='#' of <instance_node>, allowed: '#' and an id");
   EXPECT_EQ(readNode("id='n'", "other.dae#n"), "1 triangles");
@@ -121,7 +121,7 @@ TEST_F(ColladaCheckTest, EndsCommentsAndInstructionsAsTheLibraryDoes) {
             "line 1: found an instruction with a quote that is not closed, allowed: name=\"value\"");
 }
 
-/// A node may be named as what it copies: ids of the library come first.
+/// A node may have the name of the node it copies: ids of the library come first.
 TEST_F(ColladaCheckTest, ReadsNodesWithNamesOfOthers) {
   EXPECT_EQ(readCollada({{"<node id=\"n\">", "<node name='m'><instance_node url='#m'/>"},
                          {"<library_visual_scenes>",
@@ -233,7 +233,7 @@ TEST_F(ColladaCheckTest, RefusesWhatReadsBeyondArrays) {
             "line 8: found more than 32 <input>, allowed: fewer");
 }
 
-/// Files with moved, doubled or missing pieces are read, or refused with a reason; none crashes.
+/// Files with moved, doubled or missing pieces are read, or rejected with a reason; none crashes assimp.
 TEST_F(ColladaCheckTest, ReadsOrRefusesMutations) {
   std::string sample = kCollada;
   sample.insert(
@@ -251,7 +251,7 @@ TEST_F(ColladaCheckTest, ReadsOrRefusesMutations) {
   for (int i = 0; i < 3000; ++i) {
     std::string text = sample;
     for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
-      const auto piece = [&] {  // from one mark to another one near by
+      const auto piece = [&] {  // from one delimiter to another one near by
         const std::size_t from = text.find_first_of("<>\"# ", below(text.size() - 100));
         return std::pair(from, text.find_first_of("<>\"# ", from + 1 + below(60)) - from);
       };

@@ -20,7 +20,7 @@ geometry_msgs::Point point(double x, double y, double z) {
   return made;
 }
 
-/// At (1, 2, 3), a quarter turned to the left.
+/// At (1, 2, 3), turned by 90 degrees to the left.
 Marker marker(int type, const Vector3d& scale) {
   Marker made;
   made.type = type;
@@ -42,7 +42,7 @@ Geometry geometryOf(const Marker& marker) {
   return geometry;
 }
 
-/// Around all corners.
+/// Bounding box of all corners.
 Eigen::AlignedBox3f bounds(const Geometry& geometry) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& corner : geometry.corners) {
@@ -77,7 +77,7 @@ TEST(MarkerGeometryTest, ListsHaveAPlaceAndAColourEach) {
   EXPECT_TRUE(balls.balls[1].isApprox(Eigen::Vector4f(10.5F, 2.0F, 3.0F, 0.05F)));
   EXPECT_EQ(balls.ball_tints[1], Tint(0.0F, 1.0F, 0.0F, 0.0F));
 
-  list.colors.pop_back();  // not one a point: that of the marker
+  list.colors.pop_back();  // fewer colours than points: the marker's colour applies
   EXPECT_EQ(geometryOf(list).ball_tints[1], Tint(0.25F, 0.0F, 0.0F, 0.5F));
   list.type = Marker::POINTS;
   EXPECT_EQ(geometryOf(list).balls, balls.balls);
@@ -131,7 +131,7 @@ TEST(MarkerGeometryTest, MeshesAreReadFromTheirFiles) {
   }
 }
 
-/// A triangle from the origin, 3 up and 5 along y, in a file whose axis that is up is said to be `up`.
+/// A triangle from the origin, 3 up and 5 along y, in a file whose <up_axis> is `up`.
 std::string collada(const std::string& up) {
   return R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -157,7 +157,7 @@ TEST(MarkerGeometryTest, AxesOfMeshesAreTakenAsTheyAre) {
     std::ofstream(file) << collada(up);
     Marker mesh = marker(Marker::MESH_RESOURCE, Vector3d::Ones());
     mesh.mesh_resource = "file://" + file;
-    // turned a quarter to the left, y is -x
+    // turned by 90 degrees to the left, y becomes -x
     EXPECT_TRUE(bounds(geometryOf(mesh)).sizes().isApprox(Eigen::Vector3f(5.0F, 0.0F, 3.0F), 1e-5F)) << up;
   }
 }

@@ -1,4 +1,4 @@
-/// A Collada file of one triangle, and what becomes of changed copies of it.
+/// A Collada file of one triangle, and the results of reading changed copies of it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace swarmanoid {
 
-/// One triangle; in line 5 its numbers, in 6 their accessor, in 9 the triangle, in 11 its node.
+/// One triangle. Line 5 has its numbers, line 6 their accessor, line 9 the triangle, line 11 its node.
 inline constexpr const char* kCollada = R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
   <asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
@@ -41,7 +41,7 @@ inline std::string repeated(const std::string& text, int count) {
 
 class MeshFilesTest : public testing::Test {
  protected:
-  /// "3 triangles", or the reason why the file is refused.
+  /// "3 triangles", or the reason why the file is rejected.
   std::string read(const std::string& name, const std::string& text) {
     const std::string file = (folder_.path() / name).string();
     std::ofstream(file, std::ios::binary) << text;

@@ -1,4 +1,4 @@
-// Meshes: which files are drawn, and the exact reasons for those that assimp would crash on, or draw for minutes.
+// Meshes: accepted files, and the exact reasons for rejecting files that would crash assimp or take minutes to draw.
 #include <gtest/gtest.h>
 
 #include "mesh_files_fixture.hpp"

@@ -16,7 +16,7 @@ constexpr int kHeight = 61;
 const Tint kRed(0.9F, 0.2F, 0.1F, 1.0F);
 const Tint kGreen(0.15F, 0.7F, 0.3F, 1.0F);
 
-/// From an angle that nobody chose for convenience.
+/// A camera in a general position.
 Camera askew() {
   Camera camera;
   camera.position = {1.3, -0.7, 2.1};
@@ -58,8 +58,8 @@ void expectColor(const Picture& picture, int column, int row, const Vector3f& co
   }
 }
 
-/// Each pixel shows something or nothing as `hits` says of its ray; those that its neighbours' rays tell otherwise may
-/// be either.
+/// Expects each pixel to show a body exactly if `hits` is true for its ray; pixels whose neighbours differ may be
+/// either.
 template <class Hits>
 void expectOutline(const Geometry& geometry, Hits hits) {
   RayTracer tracer;
@@ -107,7 +107,7 @@ TEST(RayTracerTest, ARodIsAsThickAsItIs) {
   Geometry geometry;
   geometry.addRod(from, to, radius, kRed);
   expectOutline(geometry, [&](const Vector3d& eye, const Vector3d& direction) {
-    double nearest = 1e9;  // of balls along it
+    double nearest = 1e9;  // distance of the ray to balls along the rod
     for (int part = 0; part <= 400; ++part) {
       nearest = std::min(nearest, (from + part / 400.0 * (to - from) - eye).cross(direction).norm());
     }
@@ -115,7 +115,7 @@ TEST(RayTracerTest, ARodIsAsThickAsItIs) {
   });
 }
 
-/// Whether a ray meets a body that is `inside` somewhere along it.
+/// Whether a point along the ray is in the body, by `inside` [frame of the body].
 template <class Inside>
 bool marches(const Eigen::Isometry3d& pose, const Vector3d& eye, const Vector3d& direction, Inside inside) {
   for (double distance = 1.5; distance < 5.0; distance += 0.004) {
@@ -146,7 +146,7 @@ TEST(RayTracerTest, BoxesCylindersAndEllipsoidsHaveTheirSizesAlongTheirAxes) {
   expect(ellipsoid, [](const Vector3d& at) { return at.norm() < 1.0; });
 }
 
-/// A floor at z = 0 seen from straight above, 97 by 61 cm; the middle of the picture is the origin.
+/// Sees a floor at z = 0 from straight above, 97 by 61 cm, with the origin at the centre of the picture.
 Camera above() {
   Camera camera;
   camera.position = {0.0, 0.0, 2.0};
@@ -162,7 +162,7 @@ Geometry floorOf(const Tint& tint) {
   return geometry;
 }
 
-/// The pixel that shows a place of the floor.
+/// The pixel of a point on the floor.
 int columnOf(double x) { return static_cast<int>(std::floor(100.0 * x + 0.5 * kWidth)); }
 int rowOf(double y) { return static_cast<int>(std::floor(0.5 * kHeight - 100.0 * y)); }
 
@@ -176,7 +176,7 @@ TEST(RayTracerTest, AFloorShinesByTheHeightOfTheSunAndHalfInShadow) {
   ball.addBall(middle, 0.06, kRed);
   tracer.set(RayTracer::Part::kMoving, ball);
   const Picture picture = tracer.render(above(), kWidth, kHeight, plain());
-  // away from the sun, as far as the ball is high
+  // the shadow falls away from the sun, in proportion to the height of the ball
   const Vector3d shadow = middle - middle.z() / RayTracer::sun().z() * RayTracer::sun().cast<double>();
   expectColor(picture, columnOf(shadow.x()), rowOf(shadow.y()), RayTracer::kAmbient * kGreen.head<3>());
   expectColor(picture, columnOf(-0.37), rowOf(-0.21), inTheSun() * kGreen.head<3>());
@@ -223,7 +223,7 @@ TEST(RayTracerTest, PartsAreReplacedOneByOne) {
 
 TEST(RayTracerTest, ABorderIsBetweenTheColoursOfItsSides) {
   RayTracer tracer;
-  Geometry geometry;  // its border is in the middle of column 58
+  Geometry geometry;  // its border lies in the middle of column 58
   geometry.addBox(Eigen::Isometry3d(Eigen::Translation3d(-1.9, 0.0, -0.05)), {4.0, 5.0, 0.1}, kGreen);
   tracer.set(RayTracer::Part::kFixed, geometry);
   const Picture picture = tracer.render(above(), kWidth, kHeight, RayTracer::Options());

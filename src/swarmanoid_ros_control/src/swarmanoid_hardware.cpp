@@ -1,4 +1,4 @@
-// The joints of a robot for ros_control, over the robot's standard topics.
+// Hardware interface of ros_control for the joints of a robot, over the robot's standard topics.
 #include <hardware_interface/joint_command_interface.h>
 #include <hardware_interface/joint_state_interface.h>
 #include <hardware_interface/robot_hw.h>
@@ -21,7 +21,7 @@ namespace swarmanoid {
 class SwarmanoidHardware final : public hardware_interface::RobotHW {
  public:
   bool init(ros::NodeHandle&, ros::NodeHandle& own) override;
-  /// What has come since the last call.
+  /// Takes the messages received since the last call.
   void read(const ros::Time&, const ros::Duration& period) override;
   void write(const ros::Time& time, const ros::Duration&) override;
 
@@ -46,7 +46,7 @@ class SwarmanoidHardware final : public hardware_interface::RobotHW {
 
   ros::CallbackQueue queue_;
   ros::NodeHandle robot_;
-  std::deque<Joint> joints_;  // addresses last: the handles point to them
+  std::deque<Joint> joints_;  // a deque keeps addresses valid: the handles point to its elements
   hardware_interface::JointStateInterface states_;
   hardware_interface::VelocityJointInterface velocities_;
   hardware_interface::PositionJointInterface positions_;

@@ -1,4 +1,4 @@
-/// A space that says of itself what a test wants, for states that last too shortly in a real one.
+/// A fake space that answers with the state that a test sets, for states that are too short in a real one.
 #pragma once
 
 #include <ros/callback_queue.h>

@@ -1,4 +1,4 @@
-// The panel on a running space, without a screen: what its buttons do, and what it shows.
+// The panel with a running space, without a screen: effects of its buttons, and its display.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rviz/tool.h>
@@ -18,7 +18,8 @@ namespace {
 
 using swarmanoid_msgs::Inspect;
 
-/// @return whether it comes true while window and ROS go on, in a time that no machine needs
+/// Processes events of Qt and ROS until the condition is true. @return false after a timeout that is ample on any
+/// machine
 bool comesTrue(const std::function<bool()>& condition) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
   while (!condition() && std::chrono::steady_clock::now() < deadline) {
@@ -154,7 +155,7 @@ rviz::Config layoutWith(const char* space) {
   return config;
 }
 
-/// A panel for another space than that which roslaunch has started.
+/// A panel for another space than the one started by roslaunch.
 class RunPanelAloneTest : public testing::Test {
  protected:
   void open(const char* space) {
@@ -206,7 +207,7 @@ TEST(RequestsTest, AnAnswerToWhoIsGoneComesToNobody) {
     requests.call<Inspect>("inspect", {}, [&](const Inspect::Response& /*state*/) { ++answers; });
     ASSERT_TRUE(comesTrue([&] { return answers == 1; }));
     requests.call<Inspect>("inspect", {}, [&](const Inspect::Response& /*state*/) { ++answers; });
-  }  // which waits for the answer, and does not deliver it
+  }  // the destructor waits for the answer and drops it
   comesTrue([count = 0]() mutable { return ++count > 30; });
   EXPECT_EQ(1, answers);
 }
@@ -246,7 +247,7 @@ TEST_F(RunPanelAloneTest, SaysThatThereIsNoSpace) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "panel_test");
-  const ros::NodeHandle node;  // as long as there is one, ROS runs
+  const ros::NodeHandle node;  // keeps ROS running
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -1,7 +1,7 @@
-/// Up to ten viewpoints that are kept and recalled by keys (thesis 3.6.2): saved views of rviz, named "camera 0" to
-/// "camera 9", which the panel Views lists too and the layout keeps.
+/// Up to ten viewpoints, stored and recalled by keys (thesis 3.6.2). They are saved views of rviz, named "camera 0" to
+/// "camera 9", so the panel Views lists them and the layout stores them.
 ///
-/// Threads  that of Qt's windows.
+/// Threads  Qt's GUI thread only.
 #pragma once
 
 #include <rviz/view_manager.h>
@@ -10,10 +10,10 @@ namespace swarmanoid {
 
 constexpr int kCameraPlaces = 10;
 
-/// Keeps how the camera stands now, in the place of what had that number.
+/// Stores the current view under that number, and replaces a view stored there.
 void keepCamera(rviz::ViewManager& views, int number);
 
-/// @return whether there is one of that number; the camera stands there now
+/// Moves the camera to the stored view. @return false if none is stored under that number
 bool recallCamera(rviz::ViewManager& views, int number);
 
 }  // namespace swarmanoid

@@ -7,7 +7,7 @@ namespace {
 
 enum Column { kName, kValue, kUnit };
 
-/// A repaint of what has not changed would cost more than the text.
+/// Sets a text only if it differs: a repaint costs more than the comparison.
 void setText(QTreeWidgetItem& item, Column column, const QString& text) {
   if (item.text(column) != text) {
     item.setText(column, text);
@@ -16,7 +16,7 @@ void setText(QTreeWidgetItem& item, Column column, const QString& text) {
 
 QString valueText(double value) { return QString::number(value, 'g', 4); }
 
-/// The numbers in a line; those beyond the column are cut off by it.
+/// The first numbers in one line; the column clips the rest.
 QString lineOf(const std::vector<double>& values) {
   constexpr std::size_t kMost = 32;
   QStringList texts;
@@ -60,7 +60,7 @@ QTreeWidgetItem* DeviceTree::rowOf(std::size_t device, const swarmanoid_msgs::De
   const QString type = QString::fromStdString(status.type);
   const int place = static_cast<int>(device);
   while (place < topLevelItemCount() && topLevelItem(place)->text(kName) != type) {
-    delete takeTopLevelItem(place);  // of another robot
+    delete takeTopLevelItem(place);  // a row of another robot
   }
   if (place == topLevelItemCount()) {
     auto* item = new QTreeWidgetItem(this);

@@ -1,4 +1,4 @@
-/// What the devices of one robot say, as a tree: a row each, and below it a row for each of its numbers.
+/// Tree of the device readings of one robot: a row per device, and below it a row per number.
 #pragma once
 
 #include <swarmanoid_msgs/DeviceStatus.h>
@@ -13,14 +13,14 @@ class DeviceTree : public QTreeWidget {
  public:
   explicit DeviceTree(QWidget* parent = nullptr);
 
-  /// Rows that were opened stay open, also of other robots that have such a device.
+  /// Expanded rows stay expanded, also for other robots with the same type of device.
   void showDevices(const std::vector<swarmanoid_msgs::DeviceStatus>& devices);
 
  private:
   void noteOpen(const QTreeWidgetItem& item);
   QTreeWidgetItem* rowOf(std::size_t device, const swarmanoid_msgs::DeviceStatus& status);
 
-  std::set<QString> open_;  // types of devices
+  std::set<QString> open_;  // device types of expanded rows
 };
 
 }  // namespace swarmanoid

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNoMove = 0.01;  // [m]
 
-/// Turns about the vertical of the world, before whatever the orientation is.
+/// Rotates an orientation about the world's z axis.
 geometry_msgs::Quaternion turned(const geometry_msgs::Quaternion& q, double angle) {
   const Eigen::Quaterniond after = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * toEigen(q);
   geometry_msgs::Quaternion result;

@@ -1,4 +1,4 @@
-/// Where an entity is put that is dragged over the horizontal plane in which its origin lies. No Ogre and no Qt here.
+/// Target pose of an entity that the pointer drags over the horizontal plane through its origin. Free of Ogre and Qt.
 ///
 /// Frames  world; lengths in m.
 #pragma once
@@ -9,27 +9,27 @@ namespace swarmanoid {
 
 class Drag {
  public:
-  /// The pointer took hold of the entity at this point of the plane.
+  /// @param pose of the entity @param x, y point of the plane at which the pointer grips the entity
   Drag(const geometry_msgs::Pose& pose, double x, double y) : start_(pose), grip_x_(x), grip_y_(y), x_(x), y_(y) {}
 
-  /// The height of the plane.
+  /// Height of the plane [m].
   double height() const { return start_.position.z; }
 
-  /// The pointer is there now.
-  /// @param turns false: the entity comes along, as it was held; true: it stays, and turns about the vertical until its
-  /// x axis points there, seen from above, unless that is nearer than 1 cm to its origin
+  /// Sets the current point of the pointer.
+  /// @param turns false: the entity moves along with the pointer; true: it stays, and turns about the vertical until
+  /// its x axis points to the pointer, seen from above, unless the pointer is less than 1 cm from its origin
   void follow(double x, double y, bool turns) {
     x_ = x;
     y_ = y;
     turns_ = turns;
   }
 
-  /// Whether it is to be put elsewhere at all: a click moves nothing, though the hand may have trembled.
+  /// Whether the drag exceeds the tolerance for clicks: 1 cm, and for turns also 0.02 rad.
   bool isMove() const;
 
-  /// Where it is to be put. @param now where it is meanwhile: of that stays what is not dragged
+  /// Target pose. @param now current pose; the components that the drag does not change are taken from it
   geometry_msgs::Pose applyTo(const geometry_msgs::Pose& now) const;
-  /// The same if it has not moved since.
+  /// Target pose if the entity has not moved since the drag began.
   geometry_msgs::Pose pose() const { return applyTo(start_); }
 
  private:

@@ -10,7 +10,7 @@ namespace swarmanoid {
 
 inline Eigen::Quaterniond toEigen(const geometry_msgs::Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
 
-/// Where the x axis points to, seen from above: the angle from the world's x axis, from -pi to pi [rad].
+/// Heading of the body's x axis, seen from above: angle from the world's x axis, from -pi to pi [rad].
 inline double headingOf(const geometry_msgs::Quaternion& q) { return anglesFromOrientation(toEigen(q)).z(); }
 
 }  // namespace swarmanoid

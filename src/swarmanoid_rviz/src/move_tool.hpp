@@ -1,7 +1,7 @@
-/// The tool "Move" of rviz (thesis 3.6.3, and what it announces): a click selects the entity under the pointer,
-/// dragging moves it over the horizontal plane that it stands on, dragging with Shift turns it to the pointer. The
-/// space does it between two ticks and says why if it refuses, at the bottom of the window. Other buttons and the wheel
-/// move the camera.
+/// The tool "Move" of rviz (thesis 3.6.3 and its outlook). A click selects the entity under the pointer, dragging moves
+/// it over the horizontal plane through its origin, dragging with Shift turns it to the pointer. The space applies the
+/// move between two ticks; if it rejects the move, the status bar of the window shows the reason. Other buttons and the
+/// wheel move the camera.
 #pragma once
 
 #include <rviz/ogre_helpers/arrow.h>
@@ -30,16 +30,16 @@ class MoveTool : public rviz::Tool {
  private:
   PickAndDrag::Surroundings surroundings();
   void press(rviz::ViewportMouseEvent& event);
-  /// @param pose null: nothing is shown
+  /// @param pose target pose; null hides the preview
   void showPreview(const geometry_msgs::Pose* pose);
 
-  rviz::StringProperty* space_ = nullptr;  // of the layout; the property container owns it
+  rviz::StringProperty* space_ = nullptr;  // saved in the layout; the property container owns it
   Ogre::Viewport* viewport_ = nullptr;     // of the last press
   std::unique_ptr<Selection> selection_;
-  std::unique_ptr<rviz::Shape> disc_;  // where it would stand; null while nothing is dragged
+  std::unique_ptr<rviz::Shape> disc_;  // preview of the target; null while nothing is dragged
   std::unique_ptr<rviz::Arrow> arrow_;
   PickAndDrag pick_;
-  Requests requests_{"/space"};  // last: answers speak of the others
+  Requests requests_{"/space"};  // last: its answers use the other members
 };
 
 }  // namespace swarmanoid

@@ -34,7 +34,7 @@ void PickAndDrag::takeHold(std::uint64_t press, const Inspect::Response& state) 
   }
   drag_.emplace(state.pose, held->x, held->y);
   dragged_ = state.name;
-  drag();  // what the pointer has done meanwhile
+  drag();  // catches up with pointer moves since the press
   if (press_->is_released) {
     finish();
   }
@@ -85,7 +85,7 @@ void PickAndDrag::letGo() {
 }
 
 void PickAndDrag::askToMove() {
-  Inspect::Request where;  // it may have driven on since the press
+  Inspect::Request where;  // the entity may have moved since the press
   where.name = dragged_;
   surroundings_.inspect(where, [this, drag = *drag_](const Inspect::Response& now) {
     if (now.success == 0) {

@@ -1,8 +1,8 @@
-/// From a press of the button to its release: what is there, where it is dragged, and what the space is asked for. No
-/// Ogre and no Qt here.
+/// One drag from press to release of the button: finds the entity, follows the pointer, and sends requests to the
+/// space. Free of Ogre and Qt.
 ///
-/// The space answers when it can, and a hand is faster: what the pointer has done meanwhile is made up for, and the
-/// answer to a press that is over takes hold of nothing.
+/// The space answers asynchronously. When the answer to a press arrives, the drag catches up with the pointer; an
+/// answer to an earlier press, or after letGo, is ignored.
 #pragma once
 
 #include <geometry_msgs/Point.h>
@@ -23,29 +23,29 @@ class PickAndDrag {
   using Inspect = swarmanoid_msgs::Inspect;
   using Move = swarmanoid_msgs::Move;
 
-  /// Those who have a window and a space.
+  /// Callbacks into the window and to the space.
   struct Surroundings {
-    /// The point of the horizontal plane of that height under a pixel; nothing above the horizon.
+    /// The point under a pixel on the horizontal plane at that height; nothing above the horizon.
     std::function<std::optional<geometry_msgs::Point>(int x, int y, double height)> pointAt;
     std::function<void(const Inspect::Request&, std::function<void(const Inspect::Response&)>)> inspect;
     std::function<void(const Move::Request&, std::function<void(const Move::Response&)>)> move;
     std::function<void(const std::string& name)> select;
     std::function<void(const std::string& message)> say;
-    /// Shows where it would stand; null: nothing is dragged any more.
+    /// Shows the target pose; null hides it.
     std::function<void(const geometry_msgs::Pose* pose)> preview;
   };
 
-  /// From what is clicked on to the origin of an entity, at most [m].
+  /// Maximum distance from the clicked point to the origin of an entity [m].
   static constexpr double kReach = 0.4;
 
   explicit PickAndDrag(Surroundings surroundings) : surroundings_(std::move(surroundings)) {}
 
-  /// @param x, y where the pointer is [pixels] @param seen what it points at, in the world
+  /// @param x, y pointer [pixels] @param seen point under the pointer, in W
   void press(int x, int y, const geometry_msgs::Point& seen);
   /// @param turns see Drag::follow
   void follow(int x, int y, bool turns);
   void release(int x, int y, bool turns);
-  /// Nothing is moved.
+  /// Cancels the drag; the entity stays.
   void letGo();
 
   bool isPressed() const { return press_ && !press_->is_released; }
@@ -53,8 +53,8 @@ class PickAndDrag {
  private:
   struct Press {
     std::uint64_t number;
-    int x, y;          ///< where the pointer took hold
-    int now_x, now_y;  ///< where it is
+    int x, y;          ///< pointer at the press [pixels]
+    int now_x, now_y;  ///< current pointer [pixels]
     bool turns = false;
     bool is_released = false;
   };
@@ -67,8 +67,8 @@ class PickAndDrag {
   Surroundings surroundings_;
   std::uint64_t presses_ = 0;
   std::optional<Press> press_;
-  std::optional<Drag> drag_;  // the space has said what is there
-  std::string dragged_;       // its name
+  std::optional<Drag> drag_;  // set once the space has found an entity
+  std::string dragged_;       // name of the dragged entity
 };
 
 }  // namespace swarmanoid

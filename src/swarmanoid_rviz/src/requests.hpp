@@ -1,8 +1,7 @@
-/// Calls services of a space without holding up the window: each in a thread of its own, with the answer in the
-/// window's.
+/// Calls services of a space without blocking the window: each call runs in its own thread.
 ///
-/// Threads  all functions from the thread of Qt's windows, which `then` is called in too.
-/// Ends     answers that are under way when this object ends come to nobody, and nobody waits for late ones.
+/// Threads  all functions must be called from Qt's GUI thread, which calls `then`, too.
+/// Ends     the destructor waits up to 1 s for pending calls and drops their answers.
 #pragma once
 
 #include <ros/service.h>
@@ -22,12 +21,12 @@ namespace swarmanoid {
 
 class Requests {
  public:
-  /// @param space the name of its node: "/space"
+  /// @param space name of the node: "/space"
   explicit Requests(std::string space) : space_(std::move(space)) { post_->receiver = &here_; }
   ~Requests() {
     std::unique_lock<std::mutex> lock(post_->mutex);
     post_->receiver = nullptr;
-    // so that no thread is in ROS when that ends, unless its space does not answer
+    // no call may be inside ROS when ROS shuts down, unless the space does not answer
     constexpr auto kPatience = std::chrono::seconds(1);
     post_->is_done.wait_for(lock, kPatience, [this] { return post_->under_way == 0; });
   }
@@ -37,8 +36,8 @@ class Requests {
   const std::string& space() const { return space_; }
   void setSpace(const std::string& space) { space_ = space; }
 
-  /// @param service its name below the space
-  /// @param then takes the answer; `success` is false and `message` says why if nobody gives one
+  /// @param service name relative to the space
+  /// @param then takes the answer; without an answer `success` is false and `message` has the reason
   template <class Service>
   void call(const std::string& service, const typename Service::Request& request,
             std::function<void(const typename Service::Response&)> then) {
@@ -60,7 +59,7 @@ class Requests {
   }
 
  private:
-  /// Where answers are delivered, for as long as there is somebody.
+  /// Receiver of answers, shared with the threads of the calls; `receiver` is null after destruction.
   struct Post {
     std::mutex mutex;
     QObject* receiver = nullptr;
@@ -77,7 +76,7 @@ class Requests {
       if (ros::service::call(name, exchange)) {
         return exchange.response;
       }
-    } catch (const std::exception& error) {  // a name that is none
+    } catch (const std::exception& error) {  // an invalid name
       problem = error.what();
     }
     exchange.response = {};
@@ -86,7 +85,7 @@ class Requests {
   }
 
   std::string space_;
-  QObject here_;  // in the window's thread; what is queued for it goes with it
+  QObject here_;  // in the GUI thread; its destructor discards queued answers
   std::shared_ptr<Post> post_ = std::make_shared<Post>();
 };
 

@@ -74,7 +74,7 @@ void RunPanel::addShortcut(QWidget* window, int key, const std::function<void()>
 }
 
 void RunPanel::onInitialize() {
-  QWidget* window = vis_manager_->getWindowManager()->getParentWindow();  // the panel itself may be covered
+  QWidget* window = vis_manager_->getWindowManager()->getParentWindow();  // the panel itself may be hidden
   for (int number = 0; number < kCameraPlaces; ++number) {
     addShortcut(window, Qt::CTRL + Qt::Key_0 + number, [this, number] {
       const std::string digit = std::to_string(number);
@@ -175,12 +175,12 @@ void RunPanel::showState(const std::string& name, const Inspect::Response& state
   widgets_.step->setEnabled(state.state == "paused");
   widgets_.reset->setEnabled(is_there);
   widgets_.pace->setEnabled(is_there);
-  if (state.stamp.isZero()) {  // nobody could look
+  if (state.stamp.isZero()) {  // the space could not be inspected
     showNothing((is_there ? state.state + ": " : "") + state.message);
     return;
   }
   showRun(state);
-  if (name == selection_.name()) {  // else it is the answer to a question that nobody asks any more
+  if (name == selection_.name()) {  // otherwise the selection has changed since the request
     showEntity(state);
   }
 }
@@ -196,14 +196,14 @@ void RunPanel::showRun(const Inspect::Response& state) {
   is_going_ = state.state == "running" || state.state == "stepping";
   widgets_.play->setIcon(style()->standardIcon(is_going_ ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
   widgets_.play->setToolTip(is_going_ ? "pause" : "resume");
-  if (!widgets_.pace->view()->isVisible()) {  // else somebody is choosing another one
+  if (!widgets_.pace->view()->isVisible()) {  // an open list must not change under the user
     choosePace(*widgets_.pace, state.target_real_time_factor);
   }
   QString line =
       QString("%1, tick %2, %3 s").arg(text(state.state)).arg(state.tick).arg(state.stamp.toSec(), 0, 'f', 2);
   if (is_going_) {
     const double speed = speed_.look(static_cast<double>(since_start_.elapsed()) / 1000.0, state.stamp.toSec());
-    constexpr double kWhole = 10.0;  // from here on nobody wants decimals
+    constexpr double kWhole = 10.0;  // no decimals from here on
     line += QString(", %1 x real time").arg(speed, 0, 'f', speed < kWhole ? 2 : 0);
   } else {
     speed_.restart();

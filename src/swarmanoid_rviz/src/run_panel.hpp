@@ -1,8 +1,8 @@
 /// The panel "Run" of rviz (thesis 3.6.3): pauses, steps, resets and paces a run, and shows the selected entity with
-/// all that its devices say.
+/// all readings of its devices.
 ///
-/// It asks the space by the service `inspect` five times a second while it is in sight, and subscribes to nothing of
-/// it.
+/// While visible it calls the service `inspect` of the space five times a second; it subscribes to no topic of the
+/// space.
 #pragma once
 
 #include <rviz/panel.h>
@@ -31,10 +31,10 @@ class RunPanel : public rviz::Panel {
   RunPanel(const RunPanel&) = delete;
   RunPanel& operator=(const RunPanel&) = delete;
 
-  /// Keys of the window from then on: Ctrl and a digit recall a place of the camera, with Alt they keep one.
+  /// Installs keys of the window: Ctrl and a digit recall a viewpoint, Ctrl, Alt and a digit store one.
   void onInitialize() override;
 
-  /// `Space` of the layout is the name of the space's node, "/space" unless given.
+  /// Reads `Space` from the layout: the name of the space's node, by default "/space".
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;
 
@@ -44,7 +44,7 @@ class RunPanel : public rviz::Panel {
   void poll();
   void resumeOrPause();
   void reset();
-  /// @param name of the entity that was asked for
+  /// @param name of the requested entity
   void showState(const std::string& name, const swarmanoid_msgs::Inspect::Response& state);
   void showNothing(const std::string& reason);
   void showRun(const swarmanoid_msgs::Inspect::Response& state);
@@ -57,13 +57,13 @@ class RunPanel : public rviz::Panel {
   RunPanelWidgets widgets_;
   Selection selection_;
   QTimer timer_;
-  QElapsedTimer since_poll_;                    // valid while an answer is under way
-  bool is_going_ = false;                       // as of the last answer: it runs, or makes a step
-  std::uint64_t requests_made_ = 0;             // of those whose answers are shown the last one counts
-  std::vector<QPointer<QShortcut>> shortcuts_;  // the window owns them, and may end before the panel
+  QElapsedTimer since_poll_;                    // valid while an answer is pending
+  bool is_going_ = false;                       // as of the last answer: the run is running or stepping
+  std::uint64_t requests_made_ = 0;             // only the answer to the last one is shown
+  std::vector<QPointer<QShortcut>> shortcuts_;  // owned by the window, which may be destroyed before the panel
   SpeedMeter speed_;
-  QElapsedTimer since_start_;    // of the panel
-  Requests requests_{"/space"};  // last: answers speak of the others
+  QElapsedTimer since_start_;    // time since the start of the panel
+  Requests requests_{"/space"};  // last: its answers use the other members
 };
 
 }  // namespace swarmanoid

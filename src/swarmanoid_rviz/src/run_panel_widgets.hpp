@@ -1,5 +1,4 @@
-/// The widgets of the panel and where they stand; what they do is in run_panel.cpp. Tests find them by their object
-/// names.
+/// The widgets of the panel and their layout; run_panel.cpp connects them. Tests find them by their object names.
 #pragma once
 
 #include <QComboBox>
@@ -13,26 +12,26 @@
 namespace swarmanoid {
 
 struct RunPanelWidgets {
-  /// Makes them children of the panel, which owns them.
+  /// Creates the widgets as children of the panel, which owns them.
   explicit RunPanelWidgets(QWidget& panel);
 
   QToolButton* play;  ///< resumes or pauses
-  QToolButton* step;  ///< so many ticks
+  QToolButton* step;  ///< runs `ticks` ticks
   QSpinBox* ticks;
   QToolButton* reset;
-  QLineEdit* seed;  ///< of the next reset; empty: as it is
-  QComboBox* pace;  ///< real-time factors; the data of each is the number
-  QLabel* run;      ///< state, tick, time, speed that is reached
+  QLineEdit* seed;  ///< for the next reset; empty: unchanged
+  QComboBox* pace;  ///< real-time factors; the data of each item is the number
+  QLabel* run;      ///< state, tick, time, achieved speed
   QLineEdit* name;  ///< of the selected entity
   QLabel* entity;
   DeviceTree* devices;
-  QLabel* answer;  ///< of the space to what was last asked for
+  QLabel* answer;  ///< answer of the space to the last request
 };
 
 /// "2 x", "as fast as possible"
 QString paceText(double real_time_factor);
 
-/// Chooses that factor, which is added if it is none of those offered. No signal is sent.
+/// Selects that factor, and adds it to the list if it is missing. Emits no signal.
 void choosePace(QComboBox& pace, double real_time_factor);
 
 }  // namespace swarmanoid

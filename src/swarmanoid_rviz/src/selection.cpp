@@ -26,7 +26,7 @@ Selection::Selection(std::function<void()> on_change) : on_change_(std::move(on_
 void Selection::choose(const std::string& name) {
   std_msgs::String message;
   message.data = name;
-  publisher_->publish(message);  // comes back to all, this one included
+  publisher_->publish(message);  // all selections receive it, this one included
 }
 
 void Selection::take(const std_msgs::String& message) {

@@ -1,7 +1,7 @@
-/// The entity that panel and tool speak of: a latched topic of rviz's node, ~selected_entity, so that other nodes may
-/// follow it or choose another.
+/// The selected entity, shared by panel and tool over a latched topic of rviz's node, ~selected_entity. Other nodes may
+/// subscribe to it or select another entity.
 ///
-/// Threads  that of Qt's windows, in which rviz serves ROS callbacks.
+/// Threads  Qt's GUI thread only, in which rviz serves ROS callbacks.
 #pragma once
 
 #include <ros/publisher.h>
@@ -16,10 +16,10 @@ namespace swarmanoid {
 
 class Selection {
  public:
-  /// @param on_change called when somebody has chosen another one
+  /// @param on_change called after another entity was selected
   explicit Selection(std::function<void()> on_change);
 
-  /// "" if there is none
+  /// "" if none is selected
   const std::string& name() const { return name_; }
   void choose(const std::string& name);
 
@@ -28,7 +28,7 @@ class Selection {
 
   std::function<void()> on_change_;
   std::string name_;
-  std::shared_ptr<ros::Publisher> publisher_;  // one for panel and tool, so that who comes late gets the last name
+  std::shared_ptr<ros::Publisher> publisher_;  // shared by panel and tool, so that late subscribers get the last name
   ros::Subscriber subscriber_;
 };
 

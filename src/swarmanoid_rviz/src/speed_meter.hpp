@@ -4,14 +4,14 @@
 
 namespace swarmanoid {
 
-/// Tells how fast simulated time goes, from looks at it. Over some seconds: a look finds whole ticks only.
+/// Measures the speed of simulated time from samples over 5 s: samples see whole ticks only, so short spans are noisy.
 class SpeedMeter {
  public:
-  /// For whoever has paused, or changed the pace.
+  /// Clears the samples; to be called after a pause or a change of pace.
   void restart() { looks_.clear(); }
 
-  /// @param real, simulated the two times of this look [s]; simulated time that goes back starts anew
-  /// @return simulated seconds for each real one; 0 while nobody can tell
+  /// @param real, simulated times of this sample [s]; simulated time that goes back restarts the measurement
+  /// @return simulated seconds per real second; 0 while unknown
   double look(double real, double simulated) {
     constexpr double kSpan = 5.0;  // [s] real
     if (!looks_.empty() && simulated < looks_.back().simulated) {

@@ -7,7 +7,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Turned by yaw after a roll, whose axis is the heading: a turn in the body's own frame would be another one.
+/// A roll followed by a yaw, so that turns about W's z axis and about the body's z axis differ.
 geometry_msgs::Pose poseOf(double yaw, double roll) {
   geometry_msgs::Pose pose;
   pose.position.x = 1.3;
@@ -64,7 +64,7 @@ TEST(DragTest, AFullTurnIsNone) {
 }
 
 TEST(DragTest, WhatIsNotDraggedStaysAsItIsWhenItIsLetGo) {
-  geometry_msgs::Pose now = poseOf(1.1, 0.0);  // it has driven on meanwhile
+  geometry_msgs::Pose now = poseOf(1.1, 0.0);  // the entity has moved meanwhile
   now.position.x = 1.6;
   now.position.y = -0.1;
   now.position.z = 0.75;

@@ -1,4 +1,4 @@
-// Pick and drag, before a space that answers when the test lets it: late, in another order, or with a refusal.
+// Pick and drag with a fake space that answers on demand of the test: late, in another order, or with an error.
 #include "../src/pick_and_drag.hpp"
 
 #include <gtest/gtest.h>
@@ -12,9 +12,9 @@ namespace {
 using Inspect = PickAndDrag::Inspect;
 using Move = PickAndDrag::Move;
 
-constexpr double kPixel = 0.01;  // m: the camera looks straight down
+constexpr double kPixel = 0.01;  // [m], of a camera that looks straight down
 
-/// Window and space; keeps what is asked for until the test answers.
+/// Fake window and space; stores requests until the test answers them.
 struct Stage {
   struct Question {
     Inspect::Request request;
@@ -110,7 +110,7 @@ TEST(PickAndDragTest, AHandThatIsFasterThanTheSpaceLosesNothing) {
   stage.pick.follow(130, 200, false);
   stage.pick.release(140, 220, false);
   EXPECT_FALSE(stage.pick.isPressed());
-  stage.pick.follow(500, 500, false);  // the pointer goes on, with the button up
+  stage.pick.follow(500, 500, false);  // the pointer moves on after the release
   stage.answer(0, "fb_1", 1.0, 2.0);
   ASSERT_EQ(2U, stage.asked.size());
   stage.answer(1, "fb_1", 1.0, 2.0);
@@ -124,13 +124,13 @@ TEST(PickAndDragTest, TheAnswerToAPressThatIsOverTakesHoldOfNothing) {
   stage.pick.release(100, 200, false);
   stage.press(300, 300);
   stage.answer(1, "fb_2", 3.0, 3.0);
-  stage.answer(0, "fb_1", 1.0, 2.0);  // the later answer is to the earlier press
+  stage.answer(0, "fb_1", 1.0, 2.0);  // the second answer belongs to the first press
   EXPECT_EQ("fb_2", stage.selected);
   stage.pick.release(350, 300, false);
   ASSERT_EQ(3U, stage.asked.size());
   EXPECT_EQ("fb_2", stage.asked[2].request.name);
   stage.press(100, 200);
-  stage.pick.letGo();  // another tool
+  stage.pick.letGo();  // as when another tool is chosen
   stage.answer(3, "fb_1", 1.0, 2.0);
   EXPECT_EQ("fb_2", stage.selected);
   EXPECT_FALSE(stage.shown);
@@ -164,7 +164,7 @@ TEST(PickAndDragTest, ShiftTurnsToWhereThePointerIsWhenItIsLetGo) {
   stage.answer(0, "fb_1", 1.0, 2.0);
   stage.pick.follow(150, 200, false);
   stage.pick.release(100, 260, true);
-  stage.answer(1, "fb_1", 0.4, 2.0);  // it has driven on
+  stage.answer(1, "fb_1", 0.4, 2.0);  // the entity has moved
   const geometry_msgs::Pose& pose = stage.moves.at(0).entities[0].pose.pose;
   EXPECT_DOUBLE_EQ(0.4, pose.position.x);
   EXPECT_NEAR(std::sin(M_PI / 8), pose.orientation.z, 1e-12) << "0.6 m ahead, 0.6 m to the left: 45 degrees";

@@ -7,7 +7,7 @@
 namespace swarmanoid {
 namespace {
 
-/// What a look finds of a run of that speed, in ticks of 0.1 s.
+/// Simulated time that a sample sees at that speed, in whole ticks of 0.1 s.
 double wholeTicks(double real, double speed) { return 0.1 * std::floor(real * speed / 0.1 + 1e-9); }
 
 TEST(SpeedMeterTest, TicksThatAreWholeDoNotMakeItWaver) {

@@ -1,12 +1,12 @@
-# Run by each build: writes OUTPUT, the source of suiteVersion(), unless it says that already, so that only another commit
-# compiles anything. Given: SOURCE (the package's folder), VERSION, GIT (the program, or not found), OUTPUT.
+# Runs in each build: writes OUTPUT, the source of suiteVersion(), unless it is up to date, so that only a new commit
+# causes compilation. Arguments: SOURCE (the package's folder), VERSION, GIT (the program, or not found), OUTPUT.
 set(_commit unknown)
 if(GIT)
-  # a copy of the sources inside somebody else's repository is not of that repository's commit
+  # a copy of the sources inside another repository does not have that repository's commit
   execute_process(COMMAND ${GIT} ls-files --error-unmatch package.xml WORKING_DIRECTORY ${SOURCE}
     RESULT_VARIABLE _result OUTPUT_QUIET ERROR_QUIET)
   if(_result EQUAL 0)
-    # no lock: a build must not get into the way of a commit
+    # no lock, so that a build does not block a commit
     execute_process(COMMAND ${CMAKE_COMMAND} -E env GIT_OPTIONAL_LOCKS=0
       ${GIT} describe --always --exclude=* --abbrev=12 --dirty=.dirty
       WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE _result OUTPUT_VARIABLE _output ERROR_QUIET

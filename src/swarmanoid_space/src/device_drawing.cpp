@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * M_PI;
 
-/// @param word a name, or a beginning that ends with *
+/// @param word a name, or a prefix followed by *
 bool fits(std::string_view word, std::string_view name) {
   if (word.empty() || word.back() != '*') {
     return word == name;
@@ -53,11 +53,11 @@ void DeviceDrawing::point(const Eigen::Vector3d& place, Color color) {
 }
 
 void DeviceDrawing::arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Color color) {
-  constexpr double kHead = 0.2;  // of the length
+  constexpr double kHead = 0.2;  // as a fraction of the length
   line(from, to, color);
   const Eigen::Vector3d back = kHead * (from - to);
   const double level = back.head<2>().norm();
-  // upright to the arrow; of one that is upright itself, along x
+  // perpendicular to the arrow in a vertical plane; along x for a vertical arrow
   const Eigen::Vector3d aside = level > 1e-9
                                     ? Eigen::Vector3d(-back.x() * back.z() / level, -back.y() * back.z() / level, level)
                                     : Eigen::Vector3d(back.norm(), 0.0, 0.0);

@@ -23,7 +23,7 @@ void Engine::findObstacles(const RayBundle& rays, Obstacles& found) const {
 }
 
 void Engine::castRayAt(const Obstacles::Solid& /*solid*/, const Segment& /*segment*/, RayHit& /*hit*/) const {
-  SWARMANOID_EXPECTS(false);  // outlines are found by engines that override this
+  SWARMANOID_EXPECTS(false);  // engines that report outlines override this
 }
 
 bool Engine::blocks(Row /*row*/, const RayBundle& ray) const {

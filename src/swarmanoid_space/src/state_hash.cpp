@@ -45,7 +45,7 @@ class Hasher {
   std::unique_ptr<XXH3_state_t, Free> state_;
 };
 
-/// Adds what a visit of the state passes. Names are not hashed.
+/// Hashes the values of a visit of the state. Names are not hashed.
 class HashVisitor final : public StateVisitor {
  public:
   explicit HashVisitor(const Space& space) : space_(space) { hasher_.add(space.tick); }

@@ -4,7 +4,8 @@
 namespace swarmanoid {
 namespace {
 
-/// Colours that nobody has changed follow from the experiment file, and recordings have all of them anyway.
+/// Visits a colour only if it has changed: others follow from the experiment file, and recordings have all of them
+/// anyway.
 void visitChangedColor(const Space& space, StateVisitor& visitor, Row row) {
   const Color& color = space.entities.color[row];
   if (!visitor.wantsDetail() && color != space.entities.first_color[row]) {

@@ -1,4 +1,4 @@
-// Simulated time is epoch + tick * clocktick, to the nanosecond, for ever.
+// Simulated time is epoch + tick * clocktick, to the nanosecond, without limit.
 #include <gtest/gtest.h>
 
 #include "small_world.hpp"

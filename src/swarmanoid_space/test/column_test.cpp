@@ -1,5 +1,5 @@
-// Columns: a row that lives again has the defaults in every column, lists are as long as models say, and whoever visits
-// the state gets what is named, in the order of declaration.
+// Columns: reused rows have the defaults in every column, lists have the length that models declare, and a visit of the
+// state gives the named fields in the order of declaration.
 #include "swarmanoid_space/state/column.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::shared_ptr<const EntityModel> modelWithLeds(std::size_t count) {
   return model;
 }
 
-/// Writes down the names of fields.
+/// Collects the names of fields.
 class NameVisitor final : public StateVisitor {
  public:
   explicit NameVisitor(bool wants_detail) : wants_detail_(wants_detail) {}
@@ -61,7 +61,7 @@ TEST(ColumnTest, ARowThatLivesAgainHasTheDefaultsInEveryColumn) {
   entities.remove(row);
   EXPECT_EQ(patience[row], 7) << "nothing of the deleted entity stays";
   EXPECT_EQ(owned[row], nullptr);
-  patience[row] = 4;  // not even what somebody writes to an empty row
+  patience[row] = 4;  // even a value written to an empty row is reset
   ASSERT_EQ(entities.add("b", lightModel(), {}, {}), row);
   EXPECT_EQ(patience[row], 7);
 }

@@ -1,4 +1,4 @@
-// Hilbert's curve goes once through each cell of a square, and from each to a neighbour.
+// The Hilbert curve visits each cell of a square once, and moves from each to a neighbour.
 #include "../src/world/curve_place.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 TEST(CurvePlaceTest, GoesOnceThroughEachCellFromNeighbourToNeighbour) {
   constexpr int kSide = 32;
-  std::map<std::uint64_t, std::pair<int, int>> cells;  // by their places
+  std::map<std::uint64_t, std::pair<int, int>> cells;  // by position along the curve
   for (int line = 0; line < kSide; ++line) {
     for (int column = 0; column < kSide; ++column) {
       cells[placeOnCurve((column + 0.37) / kSide, (line + 0.81) / kSide)] = {column, line};

@@ -1,4 +1,4 @@
-// What devices draw with, and whose devices are drawn.
+// Drawing functions of devices, and the selection of robots whose devices are drawn.
 #include "swarmanoid_space/device_drawing.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ void expectLine(const DeviceDrawing::Line& line, const Vector3d& from, const Vec
 
 TEST(DeviceDrawingTest, AnArcIsOfPiecesOfAtMost15Degrees) {
   DeviceDrawing drawing;
-  // 31 degrees about z from 20, at (1, 2, 3), radii of 2 and 0.5 m
+  // an arc of 31 degrees about z from 20 degrees, at (1, 2, 3), radii of 2 and 0.5 m
   drawing.arc({1.0, 2.0, 3.0}, 2.0 * Vector3d::UnitX(), 0.5 * Vector3d::UnitY(), 0.349065850, 0.890117919, kAny);
   ASSERT_EQ(drawing.lines().size(), 3U);
   expectLine(drawing.lines()[0], {2.879385242, 2.171010072, 3.0}, {2.726203764, 2.252514921, 3.0});
@@ -76,7 +76,7 @@ TEST(DeviceDrawingTest, ClearingKeepsTheRoom) {
   EXPECT_EQ(drawings.all().size(), 1U);
 }
 
-/// Robots with controllers fb_1, fb_2 and eb; those of the small world have none.
+/// Three robots with controllers, fb_1, fb_2 and eb; those of the small world have none.
 Experiment threeRobots() {
   Experiment experiment = test::smallWorld()->experiment();
   for (EntityDescription& entity : experiment.arena.entities) {

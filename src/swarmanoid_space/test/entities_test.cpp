@@ -1,4 +1,4 @@
-// Entities and what belongs to them: numbers that are never used again, rows that are, addresses that stay.
+// Entities and their data: numbers that are never reused, rows that are, stable addresses.
 #include "swarmanoid_space/state/entities.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(PoseTest, PointsOfABodyAreTurnedAndThenMoved) {
   EXPECT_EQ(pose.toWorld(Eigen::Vector3d::Zero()), pose.position);
 }
 
-/// A screw about (0, 0.6, 0.8) that turns by 0.85 rad: 0.4 m/s along the axis, and 0.5 m/s around it, at 0.5 / 1.7 m.
+/// A screw about (0, 0.6, 0.8), turned by 0.85 rad: 0.4 m/s along the axis, and 0.5 m/s around it, at 0.5 / 1.7 m.
 TEST(TwistTest, MeanVelocityLeadsToTheEndOfTheArc) {
   const Eigen::Vector3d axis(0.0, 0.6, 0.8);
   const Eigen::Vector3d across(1.0, 0.0, 0.0);

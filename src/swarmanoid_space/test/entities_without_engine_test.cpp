@@ -17,7 +17,7 @@ class EntitiesWithoutEngineTest : public testing::Test {
   EntitiesWithoutEngineTest() { lone.configure({kSide, kSide, 2.0}); }
 
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
-  /// In the arena, and some of them outside.
+  /// Returns a pose, mostly in the arena, sometimes outside.
   Pose anywhere() {
     const Vector3d axis(uniform(-0.2, 0.2), uniform(-0.2, 0.2), 1.0);
     return {{uniform(-2.0, kSide + 2.0), uniform(-2.0, kSide + 2.0), uniform(0.0, 0.5)},
@@ -28,7 +28,7 @@ class EntitiesWithoutEngineTest : public testing::Test {
     lone.place(entities, row);
     return row;
   }
-  /// By looking at each.
+  /// Brute-force result.
   double nearest(const Segment& segment, Row ignored) const {
     double fraction = 1.0;
     for (const Row row : entities.order) {

@@ -60,7 +60,7 @@ TEST(EntityModelTest, PartsAddUpToOneMass) {
   EXPECT_TRUE(model.inertia.isApprox(Vector3d(0.0, 0.12, 0.12).asDiagonal().toDenseMatrix(), 1e-12));
 }
 
-/// Turned by 30 degrees about its y axis, a solid's own x axis and z axis each have a part of body z.
+/// The solid is turned by 30 degrees about its y axis, so both its x axis and its z axis have a component along body z.
 TEST(EntityModelTest, ASolidReachesAsFarAlongADirectionAsItsFarthestPoint) {
   CollisionShape shape;
   shape.position = {0.3, -0.2, 0.7};

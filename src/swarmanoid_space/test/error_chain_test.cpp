@@ -1,4 +1,4 @@
-// Errors of a device that act together: their order, repeated ticks, bounds of fields, lists, and what is allocated.
+// Combined errors of a device: their order, repeated ticks, bounds of fields, lists, and allocations.
 #include "swarmanoid_space/error_models/error_chain.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(ErrorChainTest, ATickThatIsMadeAgainHasTheSameErrors) {
     chain.apply(&expected, once, tick);
     Probe probe;
     for (int i = 0; i < 3; ++i) {
-      probe.free = i < 2 ? -9.0 : ramp(tick);  // the world was another one before somebody intervened
+      probe.free = i < 2 ? -9.0 : ramp(tick);  // the reading differs before an intervention
       chain.apply(&probe, often, tick);
     }
     ASSERT_EQ(expected.free, probe.free) << "tick " << tick;

@@ -11,7 +11,7 @@ namespace {
 
 const double kRoot = std::sqrt(static_cast<double>(kDraws));
 
-/// Readings of `free` of as many robots in one tick.
+/// Readings of `free` of many robots in one tick.
 std::vector<double> overRobots(const ErrorModelDescription& error, double ideal) {
   ErrorChain chain(probeType());
   chain.add(error);
@@ -33,7 +33,7 @@ std::vector<double> overRobots(const ErrorModelDescription& error, double ideal)
 
 double normal(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
-/// The test of Kolmogorov and Smirnov at the level 0.001, and mean and deviation within four standard errors.
+/// Kolmogorov-Smirnov test at the level 0.001; mean and deviation within four standard errors.
 template <class Distribution>
 void expectDistribution(std::vector<double> values, double mean, double deviation, Distribution distribution) {
   const auto count = static_cast<double>(values.size());
@@ -46,7 +46,7 @@ void expectDistribution(std::vector<double> values, double mean, double deviatio
     squares += (value - sum / count) * (value - sum / count);
   }
   EXPECT_NEAR(sum / count, mean, 4.0 * deviation / kRoot);
-  // the standard error of a deviation is at most that of normal numbers for the shapes here
+  // for the shapes here, the standard error of a deviation is at most that of the normal distribution
   EXPECT_NEAR(std::sqrt(squares / count), deviation, 4.0 * deviation / (std::sqrt(2.0) * kRoot));
   std::sort(values.begin(), values.end());
   double distance = 0.0;

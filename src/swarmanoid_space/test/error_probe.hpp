@@ -1,4 +1,4 @@
-/// Devices with all sorts of fields, and errors of theirs as an experiment file would describe them.
+/// Test devices with all kinds of fields, and errors for them as an experiment file would describe them.
 #pragma once
 
 #include <array>
@@ -73,7 +73,8 @@ void fields(Visitor& visit, ProbeSwitch& probe) {
 }
 REGISTER_DEVICE(ProbeSwitch, kSensor, "No number.")
 
-/// Numbers with bounds on one side of 0 that their types do not have: single precision stores 0.7 as less, 0.8 as more.
+/// Numbers with bounds on one side of 0 that their types cannot represent: single precision stores 0.7 as less, 0.8 as
+/// more.
 struct ProbeBounds {
   static constexpr const char* kType = "probe_bounds_of_a_test";
   float positive = 0.75F;
@@ -111,7 +112,7 @@ inline ErrorModelDescription error(const std::string& kind, const std::string& f
 
 constexpr std::size_t kDraws = 100000;
 
-/// Readings of `free` in tick after tick, of one robot whose ideal reading is `ideal(tick)`.
+/// Readings of `free` in consecutive ticks, of one robot whose ideal reading is `ideal(tick)`.
 template <class Ideal>
 std::vector<double> overTicks(const ErrorModelDescription& error, Ideal ideal, std::size_t ticks = kDraws) {
   ErrorChain chain(probeType());

@@ -1,5 +1,4 @@
-/// An experiment file without the suite's plugins, and the controllers, devices, engines and visualisations made up for
-/// it.
+/// An experiment file without the suite's plugins, with test controllers, devices, engines and visualisations.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Overrides, "path=value": which values of an experiment file they reach, and what is refused.
+// Overrides, "path=value": the values that they can set, and refused ones.
 #include <string>
 #include <vector>
 

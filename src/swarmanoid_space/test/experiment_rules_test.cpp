@@ -1,4 +1,4 @@
-// <rules> in experiment files: what is read, what is refused where, what the command line reaches.
+// <rules> in experiment files: contents, refusals with their places, and overrides from the command line.
 #include <string>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// What is read from an experiment file: each section of it, with defaults.
+// Reading each section of an experiment file, with defaults.
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 
 #include <cmath>

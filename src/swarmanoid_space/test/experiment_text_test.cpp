@@ -1,4 +1,4 @@
-// Experiment files as text: what is no XML, or would take time and memory without bounds; lines; references.
+// Experiment files as text: malformed XML, texts that would take unbounded time and memory, lines, references.
 #include <fstream>
 #include <string>
 
@@ -33,7 +33,7 @@ TEST_F(ExperimentTextTest, RefusesWhatWouldTakeTimeOrMemoryWithoutBounds) {
             "some.xml:2: found no well-formed XML: Name too long: NCName");
   EXPECT_EQ(refusal({}, "<ahss-config>\n&#" + std::string(30000, '7') + ";</ahss-config>"),
             "some.xml:2: found no well-formed XML: xmlParseCharRef: character reference out of bounds");
-  // entities of entities of entities: the document type that would hold them is refused
+  // nested entities: the document type that would define them is refused
   EXPECT_EQ(refusal({}, "<!DOCTYPE a [<!ENTITY b 'c'><!ENTITY d '&b;&b;'>]><ahss-config>&d;</ahss-config>"),
             "some.xml:1: found '<!DOCTYPE', allowed: elements and comments <!-- ... -->");
   EXPECT_EQ(refusal({}, "<!DOCTYPE a SYSTEM '/etc/passwd'><ahss-config/>"),
@@ -44,7 +44,7 @@ TEST_F(ExperimentTextTest, RefusesADoubleHyphenInACommentWhereItStands) {
   const std::string refused = "found '--' in a comment, allowed: single hyphens, and '-->' as its end";
   EXPECT_EQ(refusal({}, "<ahss-config>\n<!--\n a--b --></ahss-config>"), "some.xml:3: " + refused);
   EXPECT_EQ(refusal({}, "<ahss-config><!-- a --><!-- b --->\n</ahss-config>"), "some.xml:1: " + refused);
-  // the library took time by the square of its length: 50 minutes for this one
+  // the library took time quadratic in the length: 50 minutes for this comment
   EXPECT_EQ(refusal({}, "<ahss-config>\n<!--" + std::string(10'000'000, '-') + "></ahss-config>"),
             "some.xml:2: " + refused);
   EXPECT_EQ(refusal({}, "<ahss-config>\n<!-- a --"),
@@ -59,7 +59,7 @@ TEST_F(ExperimentTextTest, ReadsHyphensOutsideOfCommentsAndTagsInsideOfThem) {
   EXPECT_EQ(refusal({}, text), "some.xml:4: maxclock: found '<!-- -- -->', allowed: a whole number from 1 to 1e+15");
 }
 
-/// Of this process so far.
+/// Returns the number of read calls of this process so far; negative if the kernel does not count.
 long readCalls() {
   std::ifstream io("/proc/self/io");
   for (std::string name, value; io >> name >> value;) {
@@ -78,7 +78,7 @@ TEST_F(ExperimentTextTest, LooksForDeclaredLibrariesOnceHoweverManyVisualisation
     many += "<table id='many_" + number + "'/>";
   }
   text.insert(text.find("</visuali"), many);
-  EXPECT_GE(parseExperiment(text, "some.xml").visualisations.size(), 3000U);  // libraries are loaded
+  EXPECT_GE(parseExperiment(text, "some.xml").visualisations.size(), 3000U);  // loads the libraries
   const long before = readCalls();
   if (before < 0) {
     GTEST_SKIP() << "the kernel does not count";

@@ -1,4 +1,4 @@
-// Which fields of a device the name in an <error> means, and what is refused.
+// Fields that a name in an <error> selects, and refused names.
 #include "swarmanoid_space/error_models/field_selection.hpp"
 
 #include <gtest/gtest.h>

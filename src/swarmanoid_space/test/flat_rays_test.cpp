@@ -57,7 +57,7 @@ TEST_F(FlatRaysTest, RaysThatMeetACircleAreNear) {
     const RayMask near = rays.nearPoint(point, radius);
     for (std::size_t k = 0; k < kCount; ++k) {
       const double distance = lines[k].distanceTo(point);
-      // the corners of the box around a ray are as far as this
+      // maximum distance of a corner of the box around a ray
       EXPECT_TRUE(distance >= radius - 1e-9 || has(near, k)) << k << ": " << distance << " of " << radius;
       EXPECT_TRUE(distance <= M_SQRT2 * radius + 1e-9 || !has(near, k)) << k << ": " << distance << " of " << radius;
       met += distance < radius ? 1 : 0;

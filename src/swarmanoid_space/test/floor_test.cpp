@@ -1,4 +1,4 @@
-// The colours of the floor: paint, patches, the last one of the file on top, an image, and the bare floor around them.
+// Colours of the floor: paint, patches (the last one of the file on top), an image, and the bare floor around them.
 #include "swarmanoid_space/state/floor.hpp"
 
 #include <gtest/gtest.h>
@@ -143,7 +143,7 @@ TEST(FloorTest, NothingButTheBareFloorIsSeenWhereItIsBareAround) {
   EXPECT_LT(in_doubt, 150) << "beside the corners of the square around the disc, and of the rectangle";
 }
 
-/// Of 3 x 2 pixels, from (1, 2) to (4, 3.2); the one in the middle below is transparent.
+/// An image of 3 x 2 pixels, from (1, 2) to (4, 3.2); the lower middle one is transparent.
 std::shared_ptr<const FloorImage> smallImage() {
   auto image = std::make_shared<FloorImage>();
   image->corner = {1.0, 2.0};
@@ -186,7 +186,7 @@ TEST(FloorTest, AnImageEndsAtItsBorders) {
   EXPECT_EQ(floor.colorAt({2.0, 3.0, 0.0}, 0), (Color{20, 0, 0})) << "of two pixels the one with the larger x";
 }
 
-/// Of 2 x 2 pixels, from (1.5, 0.5) to (4.5, 1.9), in a folder beside the experiment file.
+/// The image has 2 x 2 pixels, from (1.5, 0.5) to (4.5, 1.9), and is in a folder beside the experiment file.
 TEST(FloorTest, AnExperimentFileNamesAnImage) {
   const TemporaryFolder folder("floor_test");
   std::filesystem::create_directory(folder.path() / "images");

@@ -1,4 +1,4 @@
-// What is inside a folder, however it is written.
+// Paths inside a folder, in different spellings.
 #include "../src/output/inside_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// mine/file, mine/sub/, mine_too/file, others/file
+/// Creates mine/file, mine/sub/, mine_too/file, others/file.
 class InsideFolderTest : public testing::Test {
  protected:
   InsideFolderTest() {

@@ -1,4 +1,4 @@
-// Files of interventions: what is written is read back to the same bits.
+// Files of interventions: written interventions are read back bit by bit.
 #include "swarmanoid_space/interventions/intervention_file.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using test::fileOf;
 using test::namedParts;
 
-/// Written, and read again.
+/// Writes an intervention and reads it back.
 TakenIntervention throughAFile(const TakenIntervention& taken) {
   const std::string text = interventionsBegin("small_world", 7) + toXml(taken, 1) + interventionsEnd();
   const InterventionFile file = parseInterventions(text, "test.xml", namedParts());
@@ -36,7 +36,7 @@ What throughAFile(const What& what) {
   return std::get<What>(throughAFile(TakenIntervention{what, "", 3, false}).what);
 }
 
-/// Bit for bit: -0 is not 0 here.
+/// Compares bits: -0 differs from 0.
 template <class Numbers>
 bool areSameBits(const Numbers& a, const Numbers& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;

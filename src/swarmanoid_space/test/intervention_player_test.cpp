@@ -1,4 +1,4 @@
-// Files of interventions are played into runs, and written by them.
+// Playing files of interventions into runs, and recording them.
 #include "swarmanoid_space/simulation/intervention_player.hpp"
 
 #include <gtest/gtest.h>
@@ -101,7 +101,7 @@ TEST_F(InterventionRecorderTest, WritesAsTheRunGoesAndTheEndWhenItIsOver) {
   } catch (const ConfigError& error) {
     EXPECT_NE(std::string(error.what()).find("found no </interventions> at the end"), std::string::npos);
   }
-  std::ofstream(owner.path() / "done.xml", std::ios::app) << "</interventions>\n";  // as the page says
+  std::ofstream(owner.path() / "done.xml", std::ios::app) << "</interventions>\n";  // as described in the documentation
   EXPECT_EQ(read().interventions.size(), 1U);
   simulation->reset(9);
   simulation->tick();

@@ -1,4 +1,4 @@
-// Files of interventions: what is wrong is refused in words.
+// Files of interventions: messages about mistakes.
 #include <gtest/gtest.h>
 
 #include "intervention_texts.hpp"
@@ -19,7 +19,7 @@ std::string refusalOf(const std::string& text) {
   return "";
 }
 
-/// Of one element, which is in line 2.
+/// Refusal of a file with one element, in line 2.
 std::string refusalIn(const std::string& element) { return refusalOf(fileOf(element)); }
 
 TEST(InterventionRefusalsTest, AnotherRootOrKindIsRefused) {

@@ -1,4 +1,4 @@
-// Spawning and removing from code: what is wrong is refused in words, and then nothing has changed.
+// Spawning and removing from code: mistakes are refused with a message, and then nothing has changed.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -10,7 +10,7 @@
 namespace swarmanoid {
 namespace {
 
-/// A device that no robot has a place for: preparing an instance fails.
+/// A device that no robot supports: preparing an instance fails.
 struct TestDevice {
   static constexpr const char* kType = "test_device";
   static constexpr const char* kRobot = "footbot";
@@ -39,7 +39,7 @@ class HomelessActuator final : public ActuatorOf<TestDevice> {
   }
 };
 
-/// Counts its lives; refuses to start for a robot called "unwilling".
+/// Refuses to start for a robot called "unwilling".
 class TestController final : public Controller {
  public:
   void init(Robot& robot, const Configuration&) override {
@@ -163,7 +163,7 @@ TEST_F(InterventionTest, ThoseThatChangeSomethingAreRecordedWithTheirTicks) {
     }
     return text;
   };
-  simulation->apply(SetCommandSource{"fb", CommandSource::kController});  // as it is
+  simulation->apply(SetCommandSource{"fb", CommandSource::kController});  // already the source
   EXPECT_EQ(recorded(), "");
   simulation->apply(SetCommandSource{"fb", CommandSource::kNone});
   EXPECT_THROW(simulation->apply(DeleteEntity{"nobody"}), ConfigError);

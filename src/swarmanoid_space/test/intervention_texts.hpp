@@ -1,4 +1,4 @@
-/// Texts of files of interventions, and the experiment whose parts they name.
+/// Texts of files of interventions, and the experiment that they refer to.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace swarmanoid::test {
 
-/// The small world, and two engines and a controller with a device, which files may name.
+/// The small world with two engines, and a controller with a device, for use in files.
 inline Experiment namedParts() {
   Experiment experiment = smallWorld()->experiment();
   for (const char* id : {"ground", "air"}) {

@@ -1,4 +1,4 @@
-// Joints: from the URDF to where a link is, and what robots hold on to.
+// Joints: from the URDF to the poses of links, and attachments of robots.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,13 +56,13 @@ TEST(JointsTest, LinksAreWhereTheirJointsTurnThem) {
   const Vector3d hand = handbot->mount("left_hand").position;
   EXPECT_TRUE(placeOf(*handbot, states, "left_hand").position.isApprox(hand));
 
-  // the shoulder a quarter up: what was ahead of it is above it
+  // with the shoulder a quarter turn up, points ahead of it are above it
   states[handbot->findJoint("left_shoulder")].angle = -M_PI / 2.0;
   const double reach = (hand - shoulder).norm();
   EXPECT_TRUE(placeOf(*handbot, states, "left_hand").position.isApprox(shoulder + reach * Vector3d::UnitZ(), 1e-9));
   EXPECT_TRUE(placeOf(*handbot, states, "right_hand").position.isApprox(handbot->mount("right_hand").position));
 
-  // then the elbow a quarter to the left, about an axis that the shoulder has turned to look back
+  // then the elbow a quarter turn to the left, about an axis that the shoulder has turned to point backwards
   states[handbot->findJoint("left_elbow")].angle = M_PI / 2.0;
   const double upper = (handbot->mount("left_forearm").position - shoulder).norm();
   const Mount place = placeOf(*handbot, states, "left_hand");

@@ -1,4 +1,5 @@
-// What is wider than a cell of the positional index, such as the walls of a maze: as many as need a grid of their own.
+// Outlines wider than a cell of the positional index, such as the walls of a maze: so many that they need a grid of
+// their own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ class LargeOutlinesTest : public testing::Test {
     const auto model = blockModel({uniform(1.5, 6.0), 0.1, uniform(0.2, 1.0)});
     entities.add("wall_" + std::to_string(++count), model, {anywhere(), turn}, {});
   }
-  /// By looking at each.
+  /// Brute-force result.
   std::vector<Row> expected(const Vector3d& centre, double radius) const {
     std::vector<Row> found;
     for (const PositionalIndex::LargeOutline& large : index.large()) {
@@ -59,7 +60,7 @@ TEST_F(LargeOutlinesTest, AreFoundWhereTheyAreAsTheyComeMoveAndGo) {
     const Row row = entities.order[random() % entities.size()];
     entities.pose[row].position = anywhere();
     if (round % 3 == 0) {
-      entities.remove(entities.order[random() % entities.size()]);  // down to what is looked at one by one, and below
+      entities.remove(entities.order[random() % entities.size()]);  // down to a number without a grid
       entities.remove(entities.order[random() % entities.size()]);
       entities.remove(entities.order[random() % entities.size()]);
     } else if (round % 7 == 0) {

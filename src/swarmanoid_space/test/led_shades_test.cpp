@@ -1,4 +1,4 @@
-// Which of its own LEDs an entity hides, at places of LEDs as URDFs have them.
+// LEDs that their own entity hides, with positions of LEDs as in URDFs.
 #include "swarmanoid_space/rays/led_shades.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ class OwnLedTest : public testing::Test {
     model.shapes.push_back(shape);
   }
 
-  /// Both in B.
+  /// @param eye, led in B
   bool isSeen(const Vector3d& eye, const Vector3d& led) {
     model.led_positions = {Vector3d::Zero(), led};
     return hidden(eye, LedSet("10")).none();
@@ -56,7 +56,7 @@ TEST_F(OwnLedTest, ALedOnAFaceIsSeenFromItsSide) {
 }
 
 TEST_F(OwnLedTest, ItStandsOutByHalfACentimetreAtTheMost) {
-  // in the plane of its face the line to an eye goes down by `slope` per metre, over 0.13 m to the edge without skin
+  // in the plane of the face the line to an eye falls by `slope` per metre, over 0.13 m to the edge without the skin
   const Vector3d led(0.1, 0.02, 0.01);
   const double most = 0.005 / (0.145 - 0.02);
   for (const double slope : {0.0, most - 0.001, most + 0.001, 0.2}) {
@@ -126,8 +126,8 @@ TEST_F(OwnLedTest, OnlyWhatIsAskedIsSaid) {
   EXPECT_EQ(hidden(eye, LedSet("011")), LedSet());
 }
 
-/// Whether a point of the way before the LED is in the cylinder made smaller by the height of LEDs; nothing if it is
-/// nearer to the surface than steps are long.
+/// Returns whether a sampled point of the line before the LED is in the cylinder, shrunk by the height of LEDs; nothing
+/// if a point is closer to the surface than the step length.
 std::optional<bool> isThroughCylinder(const CollisionShape& cylinder, const Vector3d& eye, const Vector3d& led) {
   constexpr int kSteps = 4000;
   const double radius = cylinder.half_extent.x() - kLedHeight;

@@ -21,13 +21,13 @@ TEST(LinePartTest, ASlabCutsEitherEnd) {
   part.clipToSlab(0.0, 8.0, 2.0, 4.0);
   expectPart(part, 0.25, 0.5);
   part = {};
-  part.clipToSlab(8.0, -8.0, 2.0, 4.0);  // the other way round
+  part.clipToSlab(8.0, -8.0, 2.0, 4.0);  // opposite direction
   expectPart(part, 0.5, 0.75);
   part = {};
   part.clipToSlab(3.0, 8.0, 2.0, 4.0);  // from within
   expectPart(part, 0.0, 0.125);
   part = LinePart::whole();
-  part.clipToSlab(3.0, 8.0, 2.0, 4.0);  // backwards too
+  part.clipToSlab(3.0, 8.0, 2.0, 4.0);  // also the part before the start
   expectPart(part, -0.125, 0.125);
 }
 

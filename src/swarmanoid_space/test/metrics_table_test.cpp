@@ -1,4 +1,4 @@
-// The table of metrics: a header with their names, rows with their values, which can be read back.
+// The table of metrics: a header with their names, and rows of values that can be read back.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// What rule a counts after a tick: numbers that no short text has, large and small ones, and none.
+/// Metric of rule a after a tick: numbers without a short text, large and small ones, and infinity.
 double valueAfter(std::uint64_t tick) {
   switch (tick) {
     case 2:
@@ -42,7 +42,7 @@ class MetricsTableTest : public testing::Test {
     };
   }
 
-  /// A run whose table has this value of `every`.
+  /// Starts a run whose table has this value of `every`.
   std::unique_ptr<Simulation> start(const std::string& every) const {
     const auto table = makePlugin<Observer>(*Registry::instance().find(PluginKind::kObserver, "metrics_table"));
     Configuration parameters("metrics_table", "", {});

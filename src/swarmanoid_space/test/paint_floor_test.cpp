@@ -1,4 +1,4 @@
-// Paint as an intervention: done whole or not at all, in the hash, gone after a reset.
+// Paint as an intervention: applied completely or not at all, part of the hash, removed by a reset.
 #include <gtest/gtest.h>
 
 #include "small_world.hpp"
@@ -6,7 +6,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Cells of 5 cm; half a second, so five ticks, halves what is painted.
+/// Cells of 5 cm; the paint has a half-life of half a second, which is five ticks.
 std::unique_ptr<Simulation> paintableWorld() {
   Experiment experiment = test::smallWorld()->experiment();
   experiment.arena.paint = PaintDescription{0.05, 0.5};
@@ -71,7 +71,7 @@ TEST(PaintFloorTest, TheWorkOfOneCallIsBounded) {
   const std::uint64_t before = stateHash(simulation->space());
   EXPECT_EQ(refusalOf(*simulation, PaintFloor{std::vector<PaintDisc>(20000, disc(2.5, 2.5, 50.0))}),
             "found 200000000 cells in the squares around the discs, allowed: at most 16777216 in one call");
-  // a square of 20 x 20 cells in the arena, of one of 40 x 40
+  // 20 x 20 of the square's 40 x 40 cells are in the arena
   EXPECT_EQ(refusalOf(*simulation, PaintFloor{std::vector<PaintDisc>(41944, disc(0.0, 5.0, 0.99))}),
             "found 16777600 cells in the squares around the discs, allowed: at most 16777216 in one call");
   EXPECT_EQ(stateHash(simulation->space()), before);

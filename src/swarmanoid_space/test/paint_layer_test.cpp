@@ -1,4 +1,4 @@
-// Paint: which cells a disc covers, what lies over what, and how it fades. Expected values are worked out by hand.
+// Paint: cells covered by a disc, layering, and fading. Expected values are calculated by hand.
 #include "swarmanoid_space/state/paint_layer.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace swarmanoid {
 namespace {
 
 const Eigen::Vector2d kSize(1.0, 0.7);
-constexpr double kCell = 0.1;  // 10 x 7 of them
+constexpr double kCell = 0.1;  // 10 x 7 cells
 constexpr double kHalfLife = 7.3;
 
 PaintDisc disc(double x, double y, double radius, Color color = colors::kBlack, double strength = 1.0) {
@@ -75,7 +75,7 @@ TEST(PaintLayerTest, FullPaintHidesWhatWasThere) {
   EXPECT_EQ(paint.over(colors::kWhite, {0.5, 0.3}, 0), (Color{1, 2, 3}));
 }
 
-/// 0.3 is 0.0494 after 19 ticks; 0.25 over it is 0.2870; that is 0.0835 after another 13.
+/// 0.3 falls to 0.0494 after 19 ticks; 0.25 on top of it gives 0.2870, which falls to 0.0835 after 13 more.
 TEST(PaintLayerTest, IsHalvedEachHalfLifeAndPaintOverItStartsFromWhatIsLeft) {
   PaintLayer paint(kSize, kCell, kHalfLife);
   paint.paint(disc(0.5, 0.3, 0.0, colors::kBlack, 0.3), 5);

@@ -1,4 +1,4 @@
-// Range queries give what a look at every entity gives, in 2D and 3D, wherever the entities are.
+// Range queries give the same result as brute force, in 2D and 3D, wherever the entities are.
 #include "swarmanoid_space/index/positional_index.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class PositionalIndexTest : public testing::TestWithParam<Optimization> {
     return entities.add("e" + std::to_string(++count_), model, {position, Eigen::Quaterniond::Identity()}, {});
   }
 
-  /// In the arena, on its border, and far outside of it.
+  /// Returns a position in the arena, near its border, or far outside.
   Vector3d anywhere() {
     std::uniform_real_distribution<double> inside(-1.0, 11.0);
     std::uniform_real_distribution<double> far(-100.0, 100.0);
@@ -36,7 +36,7 @@ class PositionalIndexTest : public testing::TestWithParam<Optimization> {
     return {place(random), place(random), place(random)};
   }
 
-  /// Preys, lamps (without a body), and walls that are wider than a cell.
+  /// Adds preys, lamps (without a body), and walls wider than a cell.
   void fill(int quantity) {
     for (int i = 0; i < quantity; ++i) {
       add(i % 5 == 0 ? lightModel() : cylindricPreyModel(0.02 + 0.001 * (i % 50), 0.1 + 0.01 * (i % 30)), anywhere());
@@ -46,7 +46,7 @@ class PositionalIndexTest : public testing::TestWithParam<Optimization> {
     index.rebuild(entities);
   }
 
-  /// Origins within the radius, by looking at each, in the order of entity numbers.
+  /// Brute-force result: entities with their origin within the radius, in the order of entity numbers.
   std::vector<Row> byLookingAtEach(const Vector3d& centre, double radius, Row but = kNoRow) const {
     std::vector<Row> found;
     for (const Row row : entities.order) {
@@ -98,7 +98,7 @@ TEST_P(PositionalIndexTest, FindsAroundAnEntityAllButItself) {
 }
 
 TEST_P(PositionalIndexTest, AnOriginExactlyAtTheRadiusIsFoundAcrossCellBorders) {
-  // lamps have no extent, so nothing but the origin can bring them into the query
+  // lamps have no extent, so only the origin decides
   for (int x = -8; x <= 108; ++x) {
     for (int y = -2; y <= 8; ++y) {
       add(lightModel(), {0.1 * x, 0.1 * y, 0.1 * (y % 3)});
@@ -146,8 +146,8 @@ TEST_P(PositionalIndexTest, CollectsAllBoundsThatMeetTheSphereOnceAndNoneFarOff)
     for (const Row row : entities.order) {
       const EntityModel& model = *entities.model[row];
       const bool is_found = std::binary_search(found.begin(), found.end(), row);
-      // a body around its origin meets the sphere if its origin does; nothing does that is clear of a cylinder around
-      // it
+      // a body around its origin meets the sphere if its origin is inside; a body outside a cylinder around the sphere
+      // does not
       ASSERT_TRUE(is_found || distance(row, centre) > radius) << model.type;
       ASSERT_FALSE(is_found && distance(row, centre) > std::sqrt(2.0) * radius + 2.0 * model.bounding_radius);
     }
@@ -173,7 +173,7 @@ TEST_P(PositionalIndexTest, AnUprightCylinderMeetsWhateverIsBesideItsAxisAtAnyHe
       }
     }
     for (const PositionalIndex::LargeOutline& large : index.large()) {
-      // with a height inside of its own the question is the one of the sphere
+      // at a height within its own, the query is that of the sphere
       const Vector3d beside(axis.x(), axis.y(), large.bounds.center().z());
       if (large.meets(beside, radius)) {
         expected.push_back(large.row);
@@ -186,7 +186,7 @@ TEST_P(PositionalIndexTest, AnUprightCylinderMeetsWhateverIsBesideItsAxisAtAnyHe
   EXPECT_GT(met, 10000U);
 }
 
-/// An upright prey's outline is its body, and a lamp's a point.
+/// The outline of an upright prey is its body, that of a lamp a point.
 TEST_P(PositionalIndexTest, PlacesAreThoseWhoseOutlinesMeetTheSphere) {
   fill(500);
   EXPECT_EQ(index.placeCount(), 500U) << "walls have none";
@@ -220,7 +220,7 @@ TEST_P(PositionalIndexTest, PlacesAreThoseWhoseOutlinesMeetTheSphere) {
   EXPECT_GT(met, 3000U);
 }
 
-/// A sphere on a link that is folded over the body's origin. @param length of the link, and height of its joint [m]
+/// A sphere on a link folded over the body's origin. @param length of the link, and height of its joint [m]
 std::shared_ptr<const EntityModel> foldedArm(double length) {
   auto model = std::make_shared<EntityModel>();
   model->joints.resize(1);
@@ -237,7 +237,7 @@ std::shared_ptr<const EntityModel> foldedArm(double length) {
 }
 
 TEST_P(PositionalIndexTest, AnArmIsFoundWhereverItMayTurn) {
-  // the first is kept in a cell, the second is kept apart
+  // the first is in a cell, the second is a large outline
   for (const double length : {0.1, 0.9}) {
     const Row row = add(foldedArm(length), {4.0, 3.0, 0.0});
     index.rebuild(entities);
@@ -273,7 +273,7 @@ TEST_P(PositionalIndexTest, FollowsWhatMovesComesAndGoes) {
   }
 }
 
-/// Whoever has not asked for long, or never, finds what an index finds that is rebuilt each time.
+/// Queries after a long pause, and first queries, give the result of an index that is rebuilt each time.
 TEST_P(PositionalIndexTest, IsUpToDateWhoeverAsksAndWhenever) {
   fill(40);
   PositionalIndex fresh;
@@ -292,7 +292,7 @@ TEST_P(PositionalIndexTest, IsUpToDateWhoeverAsksAndWhenever) {
       entities.pose[entities.order.front()].position = anywhere();
       index.forget(entities);
     }
-    if (tick % 7 < 4) {  // some ticks in a row, and not in others
+    if (tick % 7 < 4) {  // queries in some consecutive ticks, and none in others
       fresh.rebuild(entities);
       const Vector3d centre = anywhere();
       std::vector<Row> expected;
@@ -307,7 +307,7 @@ TEST_P(PositionalIndexTest, IsUpToDateWhoeverAsksAndWhenever) {
   }
 }
 
-/// The first who ask rebuild it, and may be many at once.
+/// The first queries rebuild the index, possibly on many threads at once.
 TEST_P(PositionalIndexTest, ManyThreadsMayAskFirst) {
   fill(2000);
   for (int round = 0; round < 30; ++round) {

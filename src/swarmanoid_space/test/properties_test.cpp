@@ -1,5 +1,5 @@
-// Properties of arena objects: they begin as the entity's parameters say, change by SetProperty alone, stand in the
-// hash as long as they differ, and are gone with their entity.
+// Properties of arena objects: they have the initial values of the entity's parameters, only SetProperty changes them,
+// the hash contains them while they differ, and they are deleted with their entity.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_space/models/arena_object.hpp"
@@ -8,7 +8,7 @@
 namespace swarmanoid {
 namespace {
 
-/// An arena object of a test: 3 J in it, and a tag.
+/// A test arena object with 3 J and a tag.
 class StationType final : public EntityType {
  public:
   static PluginDescription describe() {
@@ -32,7 +32,7 @@ class StationType final : public EntityType {
   }
 };
 
-/// An arena object whose author made a mistake, or did not.
+/// An arena object with an optional mistake of its author.
 class CarelessType final : public EntityType {
  public:
   static PluginDescription describe() {
@@ -95,7 +95,7 @@ class PropertiesTest : public testing::Test {
     EXPECT_TRUE(space().interventions.empty());
     return message;
   }
-  /// Whether both simulations, a tick later, are in the same state.
+  /// Makes a tick in both simulations. @return whether their states are equal
   bool isAsUntouched() {
     simulation->tick();
     untouched->tick();

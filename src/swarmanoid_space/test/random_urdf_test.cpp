@@ -1,4 +1,4 @@
-// Ten thousand random robots: each is loaded, or refused for the mistake that was put into it.
+// Ten thousand random robots: each is loaded, or refused for the mistake that was inserted.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -55,7 +55,8 @@ class RandomUrdf {
     }
   }
 
-  /// Of a body that is turned; a third of them are negative or break the triangle inequality, by 5 % or more.
+  /// Writes the inertia of a rotated body; a third of them are negative or break the triangle inequality, by 5 % or
+  /// more.
   void writeInertia() {
     Vector3d moments(uniform(0.1, 1.0), uniform(0.1, 1.0), 0.0);
     moments.z() = uniform(std::abs(moments.x() - moments.y()), moments.x() + moments.y());

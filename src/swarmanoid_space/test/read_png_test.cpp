@@ -1,4 +1,4 @@
-// Coloured images: of any kind of PNG, a colour for each pixel. Grey ones are tested as terrains.
+// Colour images from all kinds of PNG. Grey images are tested as terrains.
 #include "../src/images/read_png.hpp"
 
 #include <gtest/gtest.h>

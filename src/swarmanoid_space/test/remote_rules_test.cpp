@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two folders: the user started the process in one of them.
+/// Two folders; the user started the process in one of them.
 class RemoteRulesTest : public testing::Test {
  protected:
   RemoteRulesTest() {

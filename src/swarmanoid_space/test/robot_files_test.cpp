@@ -1,4 +1,4 @@
-// Robots are found through the package.xml of packages, in install spaces and in the sources of devel spaces.
+// Finding robots through the package.xml of packages, in install spaces and in the sources of devel spaces.
 #include "../src/models/robot_files.hpp"
 
 #include <gtest/gtest.h>

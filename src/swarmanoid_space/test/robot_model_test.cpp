@@ -1,4 +1,4 @@
-// The three robots of this installation, as the simulator sees them.
+// Models of the three robots of this installation.
 #include <gtest/gtest.h>
 
 #include <cmath>

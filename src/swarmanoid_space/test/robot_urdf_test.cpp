@@ -1,4 +1,4 @@
-// What the loader makes of URDF files: shapes in tilted frames, and files that it refuses, each with its message.
+// Loading of URDF files: shapes in tilted frames, and refused files with their messages.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ class RobotUrdfTest : public testing::Test {
     return "<swarmanoid title='Rover' summary='It roves.'>" + abilities + "</swarmanoid>";
   }
 
-  /// A robot with a body, and these elements.
+  /// URDF of a robot with a body and these elements.
   static std::string robot(const std::string& elements, const std::string& abilities = "") {
     return "<robot name='r'>" + description(abilities) +
            "<link name='base_link'><collision><geometry><cylinder radius='0.1' length='0.2'/>"
@@ -88,7 +88,7 @@ TEST_F(RobotUrdfTest, MeasuresWheels) {
   EXPECT_EQ(model->wheels->max_speed, 10.0);
 }
 
-/// A link on a joint that turns.
+/// A link on a rotating joint.
 std::string armOn(const std::string& joint, const std::string& type = "revolute", const std::string& inertial = "") {
   return "\n<joint name='elbow' type='" + type + "'><parent link='base_link'/><child link='arm'/>" + joint +
          "<limit lower='-1' upper='1' velocity='2' effort='3'/></joint>\n<link name='arm'>" + inertial + "</link>";
@@ -102,7 +102,7 @@ TEST_F(RobotUrdfTest, TurnsThatAreAlmostOfQuartersAreExact) {
                  "<collision><origin rpy='-" + quarter + " 0 0'/><geometry><box size='2 4 6'/></geometry></collision>"),
         kWheels));
     ASSERT_EQ(model->shapes.size(), 2U);
-    // about x, and about z, and about x back
+    // about x, then about z, then back about x
     Eigen::Matrix3d expected;
     expected << 0, -1, 0, 1, 0, 0, 0, 0, 1;
     EXPECT_LT((model->shapes[1].orientation.toRotationMatrix() - expected).norm(), 1e-15) << quarter;

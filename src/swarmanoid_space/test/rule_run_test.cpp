@@ -1,4 +1,4 @@
-// What rules make of a run: its metrics, its end, its success; and that a run with them can be had again.
+// Effects of rules on a run: its metrics, its end, its success; and repeatability of a run with rules.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ TEST_F(RuleRunTest, SuppliedRulesComeAfterThoseOfTheFileOrInTheirPlace) {
             "intervention_refused : rule 'c' asked in tick 1 for what is refused: there is no entity 'x';");
 }
 
-/// Whoever senses before a tick has rules do what they do before it, once.
+/// Sensing before a tick calls the rules' beforeTick, once.
 TEST_F(RuleRunTest, SensingBeginsATickAndTheTickDoesNotBeginAgain) {
   const auto simulation = started();
   calls().clear();
@@ -137,7 +137,7 @@ TEST_F(RuleRunTest, TheRunIsASuccessIfAllWhoJudgeItSayThat) {
   }
 }
 
-/// All that hooks draw in four ticks.
+/// Random numbers that hooks draw in four ticks.
 std::vector<double> drawsOf(Simulation& simulation, std::vector<double>& draws) {
   draws.clear();
   for (int i = 0; i < 4; ++i) {

@@ -1,4 +1,4 @@
-// Rules: when they are called, when what they ask for is done, and what becomes of refusals and exceptions.
+// Rules: the times of their calls and of their requests, refusals and exceptions.
 #include "swarmanoid_space/rule.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ class RuleTest : public testing::Test {
     calls().clear();
   }
 
-  /// What the exception says that the action ends with.
+  /// Returns the message of the exception that the action throws.
   template <class Action>
   static std::string thrownBy(Action action) {
     try {
@@ -85,7 +85,7 @@ TEST_F(RuleTest, WhatBeforeTickAsksForIsDoneBeforeTheNextRuleAndInThatTick) {
   a.before = [](ScriptedRule&, const Space& space, InterventionQueue& queue) {
     if (space.tick == 1) {
       queue.ask(moveTo(2.0, 1.0));
-      queue.ask(moveTo(3.0, 2.0));  // in order: this one is the last
+      queue.ask(moveTo(3.0, 2.0));  // requests keep their order: this one is the last
     }
   };
   b.before = [&seen](ScriptedRule&, const Space& space, InterventionQueue&) { seen = xOf(space); };

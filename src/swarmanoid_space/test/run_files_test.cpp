@@ -1,4 +1,4 @@
-// Files of a run that options ask for.
+// Files of a run that options request.
 #include "swarmanoid_space/simulation/run_files.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class RunFilesTest : public testing::Test {
     files.folder = owner.path() / "results/first";
   }
 
-  /// Runs the small world with its hashes in this file. @return why it does not begin
+  /// Runs the small world and records its hashes in this file. @return the reason if it does not start
   std::string writeHashes(const std::string& name, const Experiment& experiment = {}) const {
     const auto simulation = test::smallWorld(2);
     Configuration parameters("hash_recorder", "", {});

@@ -1,4 +1,4 @@
-// The record of a run as a folder: what is in it, that it stands for itself, and what is said of one that is damaged.
+// The record of a run as a folder: its contents, its independence of other files, and messages about damaged records.
 #include "swarmanoid_space/records/run_record.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ class RunRecordTest : public testing::Test {
     return readExperiment(owner.path() / "mine/hills.xml", overrides);
   }
 
-  /// Runs the experiment for so many ticks, and records it. @param result "": it is killed
+  /// Runs the experiment for a number of ticks, and records it. @param result "": the run is killed
   void record(Experiment experiment, int ticks, const std::string& result = "{}\n") const {
     RunFiles files;
     files.folder = owner.path() / "out";

@@ -1,4 +1,4 @@
-// Tables of recorded readings: what is read between entries, and what is said of files that are wrong.
+// Tables of recorded readings: interpolation between entries, and messages about mistakes in files.
 #include "swarmanoid_space/samples/sample_table.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/// Rules that do what a test says, and a list of all that was called in a run.
+/// Rules scripted by a test, and a list of all calls in a run.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace swarmanoid::test {
 class ScriptedRule;
 using Hook = std::function<void(ScriptedRule&, const Space&, InterventionQueue&)>;
 
-/// What the rule of an id does.
+/// Actions of one rule.
 struct Script {
   Hook reset;
   Hook before;
@@ -26,13 +26,13 @@ struct Script {
   std::optional<bool> success;
 };
 
-/// Of all rules in this process, by id.
+/// Scripts of all rules in this process, by id.
 inline std::map<std::string, Script>& scripts() {
   static std::map<std::string, Script> all;
   return all;
 }
 
-/// "a.before", "step", "draw", ... in the order of the calls.
+/// Calls so far, "a.before", "step", "draw", ... in their order.
 inline std::vector<std::string>& calls() {
   static std::vector<std::string> all;
   return all;
@@ -91,8 +91,8 @@ class NotingObserver final : public Observer {
   std::optional<bool> success_;
 };
 
-/// A footbot "fb" with a controller at (1, 2), a prey, a nest, no engine, and the rules `a` and `b`, which do as
-/// `scripts` says.
+/// A footbot "fb" with a controller at (1, 2), a prey, a nest, no engine, and the rules `a` and `b`, which run their
+/// `scripts`.
 inline std::unique_ptr<Simulation> ruledWorld(std::uint64_t seed = 1, SuppliedParts supplied = {}) {
   Experiment experiment = parseExperiment(R"(
 <ahss-config>

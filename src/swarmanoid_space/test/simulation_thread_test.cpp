@@ -33,7 +33,7 @@ std::uint64_t tickOf(SimulationThread& thread) {
   return tick;
 }
 
-/// @return whether it does so in a time that no machine needs
+/// @return whether the condition becomes true within a minute, far longer than any machine needs
 bool comesTrue(const std::function<bool()>& condition) {
   const auto deadline = Clock::now() + std::chrono::minutes(1);
   while (!condition() && Clock::now() < deadline) {
@@ -164,7 +164,7 @@ TEST(SimulationThreadTest, NobodyWaitsForAStoppedRun) {
   EXPECT_EQ("engine 'ground': its nodelet was unloaded", thread.stopReason());
 }
 
-/// Counts how often it is asked to hand over what it has written, and at which tick it was last.
+/// Counts calls of flush, and stores the tick of the last one.
 class Flushed final : public Observer {
  public:
   void configure(const std::string&, const Configuration&, const RunContext&) override {}
@@ -251,7 +251,7 @@ TEST(SimulationThreadTest, WhoWaitsForUsersCodeThatIsLateIsToldSo) {
   EXPECT_TRUE(thread.step(1).is_complete);
 }
 
-/// Its first drawing and its end each take until they are let go.
+/// Blocks in its first drawing and in finish until it is released.
 class Slow final : public Observer {
  public:
   void configure(const std::string&, const Configuration&, const RunContext&) override {}
@@ -313,7 +313,7 @@ TEST(SimulationThreadTest, WhateverATickThrowsStopsTheRun) {
 TEST(SimulationThreadTest, KeepsToTheRealTimeFactor) {
   auto options = pausedAtFirst();
   options.real_time_factor = 2.0;
-  SimulationThread thread(test::smallWorld(kEndless, "20"), options);  // 10 ms of wall time each
+  SimulationThread thread(test::smallWorld(kEndless, "20"), options);  // 10 ms of wall time per tick
   const auto start = Clock::now();
   thread.resume();
   while (tickOf(thread) < 20) {
@@ -324,13 +324,13 @@ TEST(SimulationThreadTest, KeepsToTheRealTimeFactor) {
 
 TEST(SimulationThreadTest, AnotherRealTimeFactorTakesEffectAtOnce) {
   SimulationThread::Options options;
-  options.real_time_factor = 1e-6;  // a day of wall time and more for each tick after the first
+  options.real_time_factor = 1e-6;  // more than a day of wall time for each tick after the first
   SimulationThread thread(test::smallWorld(kEndless), options);
   ASSERT_TRUE(comesTrue([&] { return tickOf(thread) == 1; }));
   thread.setRealTimeFactor(0.0);
   EXPECT_EQ(0.0, thread.realTimeFactor());
   EXPECT_TRUE(comesTrue([&] { return tickOf(thread) > 100; }));
-  thread.setRealTimeFactor(2.0);  // 50 ms of wall time each
+  thread.setRealTimeFactor(2.0);  // 50 ms of wall time per tick
   const std::uint64_t tick = tickOf(thread);
   const auto start = Clock::now();
   ASSERT_TRUE(comesTrue([&] { return tickOf(thread) >= tick + 5; }));

@@ -1,4 +1,4 @@
-// Who grips whom: trees whose root is what is gripped and grips nothing, without loops, that merge and split.
+// Trees of grips: the root is gripped and grips nothing; trees have no loops, merge and split.
 #include "swarmanoid_space/state/structural_tree.hpp"
 
 #include <gtest/gtest.h>
@@ -103,7 +103,7 @@ TEST_F(StructuralTreeTest, StaysAForestThroughAnyGripsAndReleases) {
   std::mt19937 random(7);
   constexpr std::size_t kMany = 40;
   columns.resize(kMany);
-  Rows parent(kMany, kNoRow);  // what the test itself remembers
+  Rows parent(kMany, kNoRow);  // reference kept by the test
   const auto rootOf = [&](Row row) {
     std::size_t steps = 0;
     while (parent[toIndex(row)] != kNoRow && steps++ < kMany) {

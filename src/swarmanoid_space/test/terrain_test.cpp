@@ -1,4 +1,4 @@
-// Heights of images, and where rays hit them.
+// Heights from images, and hits of rays.
 #include "swarmanoid_space/rays/terrain.hpp"
 
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ TEST(TerrainTest, HeightsBetweenVerticesAreThoseOfTriangles) {
     ASSERT_NEAR(flat.heightAt(x, y), plane(x, y), 1e-12);
     ASSERT_LT((flat.triangleAt(x, y).normal - Vector3d(-0.3, 0.2, 1.0).normalized()).norm(), 1e-12);
   }
-  // one cell, cut from its lower left corner to its upper right one
+  // one cell, split from its lower left corner to its upper right one
   const Terrain cell({0.0, 0.0}, {1.0, 1.0}, 2, 2, {0.0, 1.0, 0.0, 0.0});
   EXPECT_DOUBLE_EQ(cell.heightAt(0.5, 0.5), 0.0);
   EXPECT_DOUBLE_EQ(cell.heightAt(0.75, 0.25), 0.5);
@@ -137,7 +137,7 @@ TEST(TerrainTest, RaysHitABumpWhereItsTrianglesAre) {
     if (ray.from.z() < terrain.heightAt(ray.from.x(), ray.from.y())) {
       continue;
     }
-    // step by step: above it until the hit, and below just behind it
+    // sampled along the ray: above the terrain until the hit, and below just behind it
     const double hit = terrain.closestHit(ray);
     const auto over = [&](double t) {
       const Vector3d point = ray.from + t * (ray.to - ray.from);

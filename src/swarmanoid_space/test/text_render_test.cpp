@@ -1,4 +1,4 @@
-// The text table: every column has a name, every line a value in each of them.
+// The text table: every column has a name, every line has a value in each of them.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -21,7 +21,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// The lines that a run leaves.
+/// Returns the lines that a run writes.
 std::vector<std::string> tableOf(Simulation& simulation, const std::map<std::string, std::string>& values) {
   const TemporaryFolder folder("text_render_test");
   const std::string file = folder.path() / "table.txt";

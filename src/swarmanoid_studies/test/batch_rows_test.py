@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a batch counts is what its file has, whenever it is interrupted."""
+"""The count of a batch equals the rows of its file, whenever it is interrupted."""
 
 import os
 import pathlib
@@ -20,7 +20,7 @@ OUTCOME = RunOutcome({}, None, 7, 0.25, "00ff", "", True)
 
 
 class InterruptedFile(ResultsFile):
-    """Ctrl-C comes as soon as the third row is in the file."""
+    """Sends Ctrl-C as soon as the third row is in the file."""
 
     def append(self, request, outcome):
         super().append(request, outcome)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`swarmanoid batch` from outside: the same rows with any workers, and also if processes are killed."""
+"""The program `swarmanoid batch`: the same rows with any workers, also if processes are killed."""
 
 import contextlib
 import csv
@@ -55,7 +55,7 @@ class BatchTest(CommandsTest):
         return self.whole
 
     def hashes(self, name):
-        """Of the last states, by row."""
+        """Hashes of the last states, by row."""
         with open(self.folder / name, newline="") as file:
             return [row["state_hash"] for row in csv.DictReader(file)]
 
@@ -80,11 +80,11 @@ class BatchTest(CommandsTest):
         chance = random.Random(int(time.time()))
         expected = self.uninterrupted()
         options = ("--jobs", "2", "--out", "killed.csv", "--quiet")
-        # a worker: others do what it had
+        # kills a worker: others take over its runs
         program = self.start("batch", *GRID, *options)
         self.wait_for_lines("killed.csv", chance.randint(5, 60), program)
         chance.choice(workers_of(program)).kill()
-        # the program itself, then once more: its rows so far are kept
+        # kills the program itself, and then once more: its rows so far are kept
         self.wait_for_lines("killed.csv", chance.randint(62, 75), program)
         self.kill(program)
         for least in (chance.randint(80, 90), chance.randint(95, 105)):
@@ -116,7 +116,7 @@ class BatchTest(CommandsTest):
         program = self.start("batch", *GRID, *options)
         self.wait_for_lines("stopped.csv", 10, program)
         workers = workers_of(program)
-        resource.prlimit(program.pid, resource.RLIMIT_NOFILE, (3, 3))  # it may open no file more
+        resource.prlimit(program.pid, resource.RLIMIT_NOFILE, (3, 3))  # no further files
         workers[0].kill()
         output, errors = program.communicate(timeout=PATIENCE_S)
         self.assertEqual(errors, "swarmanoid: process 2 of 2 that makes runs cannot be started: Too many open files\n")
@@ -185,7 +185,7 @@ class BatchTest(CommandsTest):
 
     def test_the_port_of_a_dashboard_may_be_taken(self):
         with socket.socket() as other:
-            with contextlib.suppress(OSError):  # another program has it
+            with contextlib.suppress(OSError):  # another program uses it
                 other.bind(("127.0.0.1", 8787))
                 other.listen()
             program = self.start("batch", EXPERIMENT, "--seeds", "1", "--ticks", 5, "--jobs", "1", "--quiet")

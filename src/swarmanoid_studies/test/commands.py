@@ -1,4 +1,4 @@
-"""What the tests of the programs share: a folder each, calls as a user makes them, and processes that are killed."""
+"""Shared parts of the tests of the programs: a folder per test, calls of programs, and killing of processes."""
 
 import csv
 import json
@@ -13,7 +13,7 @@ import psutil
 
 FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
 PATIENCE_S = 120
-# a robot whose controller is in drive.py
+# one robot, with its controller in drive.py
 SCRIPTED = """<ahss-config>
   <framework><clocktick>100</clocktick><maxclock>400</maxclock></framework>
   <controllers>
@@ -37,14 +37,14 @@ class CommandsTest(unittest.TestCase):
                                 stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, **options)
 
     def call(self, *arguments, code=FINISHED):
-        """Runs the program to its end. @return its summary, or what it printed if that is none"""
+        """Runs the program to its end. @return its summary, or its output if that is no summary"""
         program = self.start(*arguments)
         output, errors = program.communicate(timeout=PATIENCE_S)
         self.assertEqual(program.returncode, code, errors)
         return json.loads(output) if output.startswith("{") else output
 
     def assert_refused(self, message, *arguments):
-        """The program says this, in one line, and leaves nothing behind."""
+        """Expects this message in one line, and no new files."""
         before = sorted(self.folder.rglob("*"))
         program = self.start(*arguments)
         output, errors = program.communicate(timeout=PATIENCE_S)
@@ -52,7 +52,7 @@ class CommandsTest(unittest.TestCase):
         self.assertEqual(sorted(self.folder.rglob("*")), before)
 
     def rows(self, name):
-        """Of a CSV file, without wall time, by what tells one run from another."""
+        """Rows of a CSV file without wall time, sorted by run."""
         with open(self.folder / name, newline="") as file:
             rows = list(csv.reader(file))
         head = rows[0]
@@ -60,7 +60,7 @@ class CommandsTest(unittest.TestCase):
         return sorted(tuple(value for i, value in enumerate(row) if i != wall) for row in rows[1:])
 
     def wait_for_lines(self, name, lines, program):
-        """Until a file has so many."""
+        """Waits until a file has that many lines."""
         end = time.monotonic() + PATIENCE_S
         path = self.folder / name
         while not path.exists() or path.read_bytes().count(b"\n") < lines:
@@ -69,7 +69,7 @@ class CommandsTest(unittest.TestCase):
             time.sleep(0.01)
 
     def kill(self, program):
-        """-9, and waits until the processes that it had started are gone."""
+        """Sends SIGKILL, and waits until the program's child processes have ended."""
         workers = workers_of(program)
         program.send_signal(signal.SIGKILL)
         program.communicate(timeout=PATIENCE_S)
@@ -78,7 +78,7 @@ class CommandsTest(unittest.TestCase):
 
 
 def workers_of(program):
-    """Processes that make runs for a program: workers, and the processes in which these have them made."""
+    """Processes that make runs for a program: workers and their makers."""
     return [child for child in psutil.Process(program.pid).children(recursive=True)
             if any("spawn_main" in word or "maker_process" in word for word in command_of(child))]
 

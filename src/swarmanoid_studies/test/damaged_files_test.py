@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Damaged files, thousands of them at random: each is read, or refused in one line with its name, and never with a traceback."""
+"""Thousands of randomly damaged files: each is read, or rejected in one line with its name, and never with a traceback."""
 
 import contextlib
 import io
@@ -22,7 +22,7 @@ from swarmanoid_studies.study_file import read_study
 from study_file_test import STUDY
 
 CASES = 2000        # of each format
-DRAWN_OF = 20       # one in so many reports is drawn: that takes a fifth of a second
+DRAWN_OF = 20       # only one in 20 reports is drawn, since that takes 0.2 s
 CELLS = (b"", b"1e308", b"-1e308", b"1e-320", b"nan", b"inf", b"-inf", b"1e999", b"9" * 400, b"$a$b_c^", b"x" * 5000, b"1_0", b"0x10",
          b"\xff\xfe", b"\x00", b'"', b"true", b"<b>&amp;", b"-1", b"007", b" 1", "\u0661\u6c49".encode(), b"[" * 3000, b"{}", b"null")
 IDENTITY = Identity("gap", "0.1.0+abc", "glibc 2.36, any x86-64", "12345678")
@@ -88,7 +88,7 @@ class DamagedFilesTest(unittest.TestCase):
         self.assertLess(len(message), 2000)
 
     def refusals(self, content, separators, read):
-        """@return how many are refused"""
+        """@return number of rejected files"""
         damage, count = Damage(7), 0
         for case in range(CASES):
             damaged = damage.of(content, separators)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Evolutions without workers: which genotype is kept, and what is refused."""
+"""Evolutions without workers: the best genotype, and rejected input."""
 
 import itertools
 import unittest
@@ -22,7 +22,7 @@ def done(height):
 
 class EvolutionTest(unittest.TestCase):
     def step(self, own, outcome_of):
-        """@param outcome_of of a request"""
+        """@param outcome_of maps a request to its outcome"""
         def outcomes(_client, requests, count):
             made = [(number, outcome_of(request)) for number, request in itertools.islice(requests, count)]
             return reversed(made)  # the last one finishes first

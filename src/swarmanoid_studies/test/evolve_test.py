@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`swarmanoid evolve` from outside: the same genotypes, to the last bit, with any workers, and also if processes are killed."""
+"""The program `swarmanoid evolve`: the same genotypes, to the last bit, with any workers, also if processes are killed."""
 
 import csv
 import io
@@ -59,7 +59,7 @@ class EvolveTest(CommandsTest):
     def evolve(self, folder, *options, **expected):
         return self.call("evolve", "study.xml", "--out", folder, "--quiet", *options, **expected)
 
-    whole = {}  # what comes of the study, made once
+    whole = {}  # results of the study, made once
 
     def uninterrupted(self):
         if not self.whole:
@@ -68,7 +68,7 @@ class EvolveTest(CommandsTest):
         return self.whole
 
     def made(self, folder):
-        """All that follows from the study alone."""
+        """All files that depend only on the study."""
         return {name: (self.folder / folder / name).read_bytes() for name in ("checkpoint.json", "generations.csv", "best.xml")}
 
     def test_genotypes_are_the_same_with_any_workers(self):
@@ -87,7 +87,7 @@ class EvolveTest(CommandsTest):
         self.assert_the_best_is_an_experiment("two/best.xml", best["values"]["lamps.distance"])
 
     def assert_all_files_say_what_they_are_of(self, made, genes):
-        """Version, fingerprint, seeds and overrides."""
+        """Checks version, fingerprint, seeds and overrides in all files."""
         checkpoint = json.loads(made["checkpoint.json"])
         self.assertEqual((checkpoint["seeds"], checkpoint["overrides"]), ([1, 2, 3], {"framework.maxclock": "401"}))
         version, fingerprint = checkpoint["version"], checkpoint["fingerprint"]

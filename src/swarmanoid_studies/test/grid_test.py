@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Seeds and values as they are given on the command line."""
+"""Parsing of seeds and values of the command line."""
 
 import tracemalloc
 import unittest

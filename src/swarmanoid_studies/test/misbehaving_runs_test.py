@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Controllers that end or harm their process with some seeds: these are rows that say so, and all others are made."""
+"""Controllers that end or damage their process for some seeds: these runs have rows with the failure, and all others are made."""
 
 import contextlib
 import csv
@@ -17,7 +17,7 @@ from swarmanoid_studies import makers, worker_setup
 from swarmanoid_studies.mistakes import RunsStopped
 from swarmanoid_studies.runs import MOST_FAILURE, RunRequest
 
-SEEDS, BAD = 8, 1   # so many seeds at least are bad; what the robot draws says which
+SEEDS, BAD = 8, 1   # number of seeds, and least number of bad ones, which the robot's random numbers select
 CHANCE = 0.3
 SCRIPT = """import os, re, signal, subprocess, time
 
@@ -27,7 +27,7 @@ class Drive:
             %s
 """
 TRIED = "the process that made the run ended in it, each of 3 times, "
-# what a controller does, and what its row says
+# action of a controller, and failure in its row
 ACTIONS = {
     "os.abort()": TRIED + "by SIGABRT",
     "os._exit(0)": TRIED + "with exit code 0",
@@ -48,7 +48,7 @@ class MisbehavingRunsTest(CommandsTest):
         """@return failures by seed, and the state of the other runs by seed"""
         self.write(action)
         self.addCleanup(makers.stop)
-        makers.stop()   # the next one reads the script anew
+        makers.stop()   # the next maker reads the script again
         made = makers.make_runs([RunRequest(str(self.folder / "world.xml"), (), seed) for seed in range(1, SEEDS + 1)])
         self.assertEqual(len(made), SEEDS)
         for outcome in made:
@@ -80,7 +80,7 @@ class MisbehavingRunsTest(CommandsTest):
             time.sleep(0.05)
 
     def start_endless(self):
-        """@return a batch whose run never gives Python's lock back, and its workers"""
+        """@return a batch whose run never releases the GIL, and its workers"""
         self.write(f"open({str(self.folder / 'begun')!r}, 'w').close(); re.match('(a+)+$', 'a' * 60 + 'b')", chance=2)
         program = self.start("batch", "world.xml", "--seeds", "1", "--jobs", 1, "--quiet", "--no-report", "--force",
                              start_new_session=True)
@@ -91,7 +91,7 @@ class MisbehavingRunsTest(CommandsTest):
         return program, workers
 
     def end(self, processes):
-        """Those that a test which fails has left."""
+        """Kills processes that a failed test has left."""
         for process in processes:
             with contextlib.suppress(psutil.NoSuchProcess):
                 process.kill()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How programs end."""
+"""Exit codes and messages of programs."""
 
 import contextlib
 import gc
@@ -12,7 +12,7 @@ from swarmanoid_studies import mistakes
 
 
 class Holder:
-    """Its destructor sends the process a signal."""
+    """An object whose destructor sends a signal to the process."""
 
     def __del__(self):
         os.kill(os.getpid(), signal.SIGTERM)
@@ -71,7 +71,7 @@ class CallTest(unittest.TestCase):
             with mistakes.interrupts_held():
                 raise mistakes.RunsStopped("the disk is full")
         self.assertEqual(self.call(main), (4, "swarmanoid: the disk is full\n"))
-        self.test_an_interrupt_ends_a_program()  # and none is held any longer
+        self.test_an_interrupt_ends_a_program()  # interrupts are no longer held
 
     def test_without_one_nothing_is_heard(self):
         def main():

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Optimisers: they find what they are to find, and ask for the same again when they are told the same again."""
+"""Optimisers: they find optima, and ask for the same genotypes again after the same losses."""
 
 import random
 import unittest
@@ -50,7 +50,7 @@ class OptimisersTest(unittest.TestCase):
                     self.assertTrue(all(0.0 <= value <= 1.0 for value in genotype))
 
     def test_depend_on_their_seed_alone(self):
-        """Also if other code draws from the process's generators, as Dask does in threads."""
+        """Also if other code draws from the global generators, as Dask does in threads."""
         def disturb():
             random.random()
             numpy.random.random(3)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Reports: their numbers by hand, their words, and pictures in which nothing lies over anything else."""
+"""Reports: numbers computed by hand, texts, and pictures without overlaps."""
 
 import io
 import pathlib
@@ -42,7 +42,7 @@ class ReportTest(unittest.TestCase):
     def test_p_is_corrected_by_holm(self):
         self.assertEqual(statistics.holm([]), [])
         self.assertEqual(statistics.holm([0.03]), [0.03])
-        # 3 * 0.01; 2 * 0.0125 would be less than that of a smaller one; 1 * 0.5
+        # 3 * 0.01; 2 * 0.0125 would be less than the corrected smaller p, so 0.03 again; 1 * 0.5
         self.assertEqual(statistics.holm([0.5, 0.01, 0.0125]), [0.5, 0.03, 0.03])
         self.assertEqual(statistics.holm([0.6, 0.7]), [1.0, 1.0])
 
@@ -94,7 +94,7 @@ class ReportTest(unittest.TestCase):
             results = read_results(self.grid(tuple(f"m.x{i}" for i in range(metrics))))
             dark = {title: image.imread(io.BytesIO(plots.all_pictures(results, title)))[..., :3].min(axis=2) < 0.5
                     for title in ("", "gap: 24 runs, 8 seeds")}
-            height = int(0.5 * 110)   # pixels that are the title's
+            height = int(0.5 * 110)   # pixels of the title
             without, with_title = dark.values()
             self.assertEqual(without.shape, with_title.shape)
             self.assertFalse(without[:height].any(), "something of a plot is where the title is")

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The CSV file of a batch: whole rows, and none that does not belong there."""
+"""The CSV file of a batch: complete rows, and only rows of that batch."""
 
 import csv
 import os

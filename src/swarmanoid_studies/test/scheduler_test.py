@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A batch and its scheduler: workers that come late, or never."""
+"""A batch and its scheduler: workers that join late, or never."""
 
 import json
 import os

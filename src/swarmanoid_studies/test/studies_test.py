@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The studies that are installed, each in small: two generations of few genotypes, with two seeds."""
+"""The installed studies, each with a reduced size: two generations of few genotypes, with two seeds."""
 
 import json
 import re

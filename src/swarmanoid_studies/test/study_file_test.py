@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Study files are read strictly: what is wrong is told with file and line."""
+"""Study files are read strictly: errors are reported with file and line."""
 
 import pathlib
 import tempfile

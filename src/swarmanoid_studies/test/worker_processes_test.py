@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Processes that make runs, and those that cannot be started."""
+"""Processes that make runs, and failures to start them."""
 
 import errno
 import multiprocessing
@@ -23,7 +23,7 @@ def processes():
 
 
 def refused_from(number):
-    """@return what stands for a process, up at once, until the system has no more files; those begun; those ended"""
+    """@return a fake process class, up at once, whose start fails from the given number on; lists of started and ended ones"""
     begun, ended = [], []
 
     class Process:
@@ -106,7 +106,7 @@ class WorkerProcessesTest(unittest.TestCase):
                 some.wait_until_up()
             self.assertTrue(given_up.wait(PATIENCE_S))
         self.assertEqual(str(caught.exception), "processes that make runs cannot be started: 10 ended as they began")
-        self.assertLessEqual(len(begun), 3 + 12)  # each that ended once more, though several may end at the same time
+        self.assertLessEqual(len(begun), 3 + 12)  # each ended process is restarted; several may end at the same time
 
     def test_one_that_the_system_refuses_is_reported_and_others_end(self):
         process, begun, ended = refused_from(3)

@@ -5,14 +5,14 @@
 
 #include "swarmanoid_interface/device_type.hpp"
 
-/// What controllers read. The simulated sensor and controllers know each other by kType alone.
+/// Reading for controllers. kType alone links the simulated sensor and controllers.
 struct Compass {
   static constexpr const char* kType = "compass";
 
   double north = 0.0;  ///< direction of north in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi]
 };
 
-/// Its descriptor: what others than controllers go by, such as recordings, hosts in other processes, `swarmanoid list`.
+/// Descriptor of the fields, for recordings, hosts in other processes, and `swarmanoid list`.
 template <class Visitor>
 void fields(Visitor& visit, Compass& compass) {
   visit(compass.north, {"north", "rad", "direction of north in the robot's frame", {-M_PI, M_PI}});

@@ -1,4 +1,4 @@
-// Controllers and rules in Python for programs in C++: starts Python in the process once an experiment has any.
+// Controllers and rules in Python for C++ programs: starts Python in the process for the first experiment that has any.
 #include <dlfcn.h>
 #include <pybind11/pybind11.h>
 
@@ -16,8 +16,8 @@ namespace py = pybind11;
 namespace swarmanoid {
 namespace {
 
-/// Modules such as NumPy's do not say that they need Python's library: they find it only where everybody sees it, which
-/// the libraries of a plugin are not.
+/// Makes the symbols of libpython global. Extension modules such as NumPy's are not linked to libpython, and libraries
+/// loaded by a plugin are local by default.
 void showPythonToAll() {
   Dl_info info;
   if (dladdr(reinterpret_cast<void*>(&Py_IsInitialized), &info) == 0 ||
@@ -26,14 +26,14 @@ void showPythonToAll() {
   }
 }
 
-/// @throws std::runtime_error if it is one
+/// @throws std::runtime_error if the status is an error
 void refuseIf(const PyStatus& status) {
   if (PyStatus_Exception(status) != 0) {
     throw std::runtime_error(std::string("Python does not start: ") + status.err_msg);
   }
 }
 
-/// The package `swarmanoid` of this installation is found first, whatever PYTHONPATH says.
+/// Puts the package `swarmanoid` of this installation before PYTHONPATH.
 void findPackage() {
   Dl_info info;
   if (dladdr(reinterpret_cast<void*>(&findPackage), &info) == 0) {
@@ -44,31 +44,32 @@ void findPackage() {
   py::list(py::module_::import("sys").attr("path")).insert(0, folder);
 }
 
-/// What programs print to standard output is the run's result.
+/// Redirects Python's standard output to standard error: standard output of programs carries the run's result.
 void printToErrors() {
   const py::module_ sys = py::module_::import("sys");
   sys.attr("stdout") = sys.attr("stderr");
 }
 
-/// It is never ended: its modules have threads of their own, and who destroys them last is not known.
+/// Starts Python and never finalizes it: its modules have threads of their own, and their order of destruction is
+/// unknown.
 void startPython() {
   if (Py_IsInitialized() != 0) {
-    return;  // it is Python's own process
+    return;  // the process is Python's
   }
   showPythonToAll();
   fixNumpy();
   PyPreConfig before;
   PyPreConfig_InitPythonConfig(&before);
-  before.configure_locale = 0;  // it is the program's
+  before.configure_locale = 0;  // the program has set it
   before.coerce_c_locale = 0;
   before.utf8_mode = 1;
   refuseIf(Py_PreInitialize(&before));
   PyConfig config;
   PyConfig_InitPythonConfig(&config);
   refuseIf(PyConfig_SetBytesString(&config, &config.program_name, PYTHON_EXECUTABLE));  // not the first one in PATH
-  config.install_signal_handlers = 0;  // interruptions are the program's
+  config.install_signal_handlers = 0;                                                   // the program handles signals
   config.parse_argv = 0;
-  config.use_hash_seed = 1;  // sets of texts have the same order in each run
+  config.use_hash_seed = 1;  // the same order of sets of strings in each run
   config.hash_seed = 0;
   const PyStatus status = Py_InitializeFromConfig(&config);
   PyConfig_Clear(&config);
@@ -86,7 +87,7 @@ std::shared_ptr<ScriptHost> makeHost() {
     const py::capsule factory = py::module_::import("swarmanoid._core").attr("_script_host_factory");
     return (*factory.get_pointer<const ScriptHostFactory>())();
   } catch (const py::error_already_set& error) {
-    throw std::runtime_error(error.what());  // while Python is locked
+    throw std::runtime_error(error.what());  // copies the message while the GIL is held
   }
 }
 

@@ -1,7 +1,7 @@
-// A controller that is a probabilistic finite state machine of simple behaviours: AutoMoDe (machine.hpp). What may be
-// put together are the six behaviours and six conditions of its paper; the machine is parameters of the experiment
-// file. For footbots, and for any robot with a differential drive, proximity sensors and what its machine asks for:
-// light sensors, ground sensors, range and bearing.
+// A controller that is a probabilistic finite state machine of simple behaviours: AutoMoDe (machine.hpp). The building
+// blocks are the six behaviours and six conditions of its paper; the machine is set by parameters of the experiment
+// file. It runs on footbots, and on any robot with a differential drive, proximity sensors and the sensors that its
+// machine needs: light sensors, ground sensors, range and bearing.
 #include <algorithm>
 
 #include "../differential_drive.hpp"
@@ -38,7 +38,7 @@ class BehaviourMachine final : public Controller {
 
   void step(Time, Duration) override {
     if (transmitter_ != nullptr) {
-      transmitter_->send({});  // an empty message: its neighbours measure where it comes from
+      transmitter_->send({});  // an empty message: neighbours measure its range and bearing
     }
     if (machine_.advance({shade(), received_ == nullptr ? 0 : received_->messages.size()}, robot_->random())) {
       turn_steps_ = 0;
@@ -50,7 +50,7 @@ class BehaviourMachine final : public Controller {
  private:
   static Eigen::Vector2d towards(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
 
-  /// Only what the machine asks for must be on the robot. @throws DeviceError
+  /// Requires only the devices that the machine uses. @throws DeviceError
   void findSensors(Robot& robot) {
     if (machine_.uses(Behaviour::kPhototaxis) || machine_.uses(Behaviour::kAntiPhototaxis)) {
       light_ = &robot.sensor<Light>();
@@ -83,9 +83,9 @@ class BehaviourMachine final : public Controller {
     }
   }
 
-  /// Straight on; where something is ahead it turns on the spot, away from it, for a random number of steps.
+  /// Drives straight on; at an obstacle ahead it turns on the spot, away from it, for a random number of steps.
   void explore(int turning) {
-    constexpr double kHalfField = 1.0;  // rad, of what is ahead
+    constexpr double kHalfField = 1.0;  // rad, of obstacles ahead
     constexpr double kTurnRate = 1.5;   // rad/s
     const ObstacleVector obstacle = base_.obstacles(kHalfField);
     if (turn_steps_ == 0 && obstacle.length() > threshold_) {
@@ -108,7 +108,7 @@ class BehaviourMachine final : public Controller {
     steer(base_, course.isZero() ? 0.0 : std::atan2(course.y(), course.x()), speed_);
   }
 
-  /// To where most light comes from, of length 1; zero in the dark.
+  /// Unit vector towards the light; zero in the dark.
   Eigen::Vector2d lightVector() const {
     constexpr double kDark = 1e-4;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -118,7 +118,7 @@ class BehaviourMachine final : public Controller {
     return sum.norm() < kDark ? Eigen::Vector2d::Zero().eval() : sum.normalized();
   }
 
-  /// To where neighbours are, the near ones more.
+  /// Vector towards the neighbours, weighted by nearness.
   Eigen::Vector2d neighbourVector() const {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (const RangeAndBearingMessage& message : received_->messages) {
@@ -127,7 +127,7 @@ class BehaviourMachine final : public Controller {
     return sum;
   }
 
-  /// That of most ground sensors; gray where no shade has most of them.
+  /// The shade that more than half of the ground sensors read; gray if there is no such majority.
   FloorShade shade() const {
     if (ground_ == nullptr) {
       return FloorShade::kGray;
@@ -145,15 +145,15 @@ class BehaviourMachine final : public Controller {
 
   Robot* robot_ = nullptr;
   MobileBase base_;
-  // sensors that the machine does not need, and the transmitter, stay null
+  // sensors that the machine does not need, and then the transmitter, stay null
   const Light* light_ = nullptr;
   const Ground* ground_ = nullptr;
   RangeAndBearing* transmitter_ = nullptr;
   const RangeAndBearingReceived* received_ = nullptr;
   Machine machine_;
   double speed_ = 0.0;      // m/s
-  double threshold_ = 0.0;  // length of the obstacle vector from which on an exploration turns
-  int turn_steps_ = 0;      // steps of the turn that remain
+  double threshold_ = 0.0;  // length of the obstacle vector above which an exploration turns
+  int turn_steps_ = 0;      // remaining steps of the turn
   double turn_rate_ = 0.0;  // rad/s, of that turn
 };
 

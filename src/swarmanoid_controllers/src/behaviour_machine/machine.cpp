@@ -23,7 +23,7 @@ constexpr std::array<std::pair<const char*, Condition>, 6> kConditions{{{"black_
                                                                         {"few_neighbours", Condition::kFewNeighbours},
                                                                         {"always", Condition::kAlways}}};
 
-/// The value that the name of a child stands for. @param key of the child @throws ConfigError
+/// The value of a child, given there by name. @param key of the child @throws ConfigError
 template <class Value, std::size_t count>
 Value named(const Configuration& element, const std::string& key,
             const std::array<std::pair<const char*, Value>, count>& values) {
@@ -38,7 +38,7 @@ Value named(const Configuration& element, const std::string& key,
   throw ConfigError(element.find(key)->location(), element.name() + ": " + unknownName("the " + key, found, names));
 }
 
-/// @throws ConfigError if there is none, or nothing in it
+/// @throws ConfigError if the section is missing or empty
 const Configuration& filledSection(const Configuration& parameters, const std::string& key) {
   const Configuration& found = requiredSection(parameters, key, "the machine");
   if (found.children().empty()) {

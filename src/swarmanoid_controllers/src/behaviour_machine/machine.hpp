@@ -11,8 +11,8 @@
 ///       <delivered from="deliver" to="search" condition="white_floor" probability="0.9"/>
 ///     </transitions>
 ///
-/// It begins in the first state. Transitions of a state are asked in the order of the file; the first one that holds is
-/// taken.
+/// The machine starts in the first state. The transitions of a state are tested in the order of the file; the first one
+/// that fires is taken.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ enum class Behaviour { kExploration, kStop, kPhototaxis, kAntiPhototaxis, kAttra
 enum class Condition { kBlackFloor, kGrayFloor, kWhiteFloor, kManyNeighbours, kFewNeighbours, kAlways };
 enum class FloorShade { kBlack, kGray, kWhite };
 
-/// What conditions are about, in one step.
+/// Inputs of the conditions in one step.
 struct Surroundings {
   FloorShade floor = FloorShade::kGray;
   std::size_t neighbours = 0;
@@ -36,19 +36,19 @@ struct Surroundings {
 struct MachineState {
   std::string name;
   Behaviour behaviour = Behaviour::kStop;
-  int turning = 0;        ///< of an exploration: most steps of a turn
-  double strength = 0.0;  ///< of attraction and repulsion: weight of neighbours
+  int turning = 0;        ///< maximum number of steps of a turn; exploration only
+  double strength = 0.0;  ///< weight of neighbours; attraction and repulsion only
 };
 
 struct Transition {
-  std::size_t from = 0;  ///< place of a state
-  std::size_t to = 0;    ///< place of a state
+  std::size_t from = 0;  ///< index of a state
+  std::size_t to = 0;    ///< index of a state
   Condition condition = Condition::kAlways;
-  double probability = 1.0;  ///< of being taken while the condition is met, each step
-  double count = 0.0;        ///< of neighbours with which many and few are as likely
-  double steepness = 0.0;    ///< with which that changes with their number
+  double probability = 1.0;  ///< of being taken in a step in which the condition holds
+  double count = 0.0;        ///< number of neighbours at which many and few are equally likely
+  double steepness = 0.0;    ///< slope of the probability over the number of neighbours
 
-  /// The probability with which it is taken in this step.
+  /// Probability of being taken in this step.
   double probabilityIn(const Surroundings& surroundings) const;
 };
 
@@ -60,8 +60,8 @@ class Machine {
 
   void reset() { current_ = 0; }
   const MachineState& state() const { return states_[current_]; }
-  /// Draws one number for each transition that may be taken, until one is.
-  /// @return whether a transition was taken, be it to the same state
+  /// Draws one number for each transition with a probability above 0, until one is taken.
+  /// @return whether a transition was taken; it may lead to the same state
   bool advance(const Surroundings& surroundings, RandomStream& random);
 
   bool uses(Behaviour behaviour) const;

@@ -76,7 +76,7 @@ void Bench::readParameters(const Configuration& parameters) {
                       "role: found '" + role + "', allowed: test, observer" + didYouMean(role, roles));
   }
   is_observer_ = role == "observer";
-  surroundings_ = readSurroundings(parameters, surroundings_);  // with what is usual for the devices
+  surroundings_ = readSurroundings(parameters, surroundings_);  // with the defaults of the devices
   tolerance_ = parameters.number("tolerance", 0.15, {0.001, 0.5});
   std::vector<std::string> known = surroundingsParameters();
   known.insert(known.end(), {"role", "tolerance"});

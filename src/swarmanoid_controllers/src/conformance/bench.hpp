@@ -1,4 +1,4 @@
-/// The part that all checks share: the robot with its devices, the known data of the surroundings, and the judgement.
+/// Shared by all checks: the robot with its devices, the known data of the surroundings, and the verdict.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ class Bench {
   double tolerance() const { return tolerance_; }
 
   const std::string& robotType() const { return robot_.type(); }
-  /// Returns the type of the camera through which the robot sees; "" if its configuration lists none.
+  /// Returns the type of the camera that the robot uses; "" if its configuration lists none.
   const std::string& cameraDevice() const { return camera_device_; }
   bool isListed(const std::string& device) const;
   /// Returns null if the configuration does not list the device.
@@ -39,28 +39,27 @@ class Bench {
     return robot_.hasActuator(Device::kType) ? &robot_.actuator<Device>() : nullptr;
   }
 
-  /// Returns the positions of all blobs of about that colour in the readings of the robot's camera, in its frame [m].
+  /// Returns the positions of all blobs with about that colour in the readings of the robot's camera, in its frame [m].
   std::vector<Eigen::Vector2d> placesOf(Color color) const;
-  /// Returns their mean.
+  /// Returns the mean of placesOf.
   std::optional<Eigen::Vector2d> see(Color color) const;
-  /// Does the same; without a blob in sight the check fails, and the origin is returned.
+  /// The same as `see`, but without a blob in sight the check fails, and the origin is returned.
   Eigen::Vector2d find(Color color, const std::string& name);
-  /// Returns all that the camera sees. @pre there is one
+  /// Returns the readings of the camera. @pre the robot has a camera
   const ColorBlobs& seen() const { return *camera_; }
 
-  /// Commands rest for all actuators that move the robot.
+  /// Commands rest to all actuators that move the robot.
   void rest();
 
-  /// Begins the judgement of a check. The findings go into the log, with the name of the check; a wrong value makes it
-  /// fail.
+  /// Starts the verdict of a check. Findings are logged under the name of the check; a wrong value makes it fail.
   void startCheck(const std::string& name);
   void expectNear(const std::string& what, double found, double expected, double allowed, const char* unit);
-  /// The allowed difference is the tolerance of `expected`, and at least `least`.
+  /// The allowed difference is `tolerance` times `expected`, and at least `least`.
   void expectAbout(const std::string& what, double found, double expected, double least, const char* unit);
   void expectAngle(const std::string& what, double found, double expected, double allowed);
   void expectTrue(const std::string& what, bool is_true);
   void fail(const std::string& why);
-  /// Returns "" if nothing is wrong with the check so far.
+  /// Returns the failures of the check so far, "" without any.
   const std::string& failure() const { return failure_; }
 
  private:
@@ -79,9 +78,9 @@ class Bench {
 
 /// Returns whether two colours look alike: real sensors do not report exactly the colour of the object.
 bool isAbout(Color a, Color b);
-/// Returns the direction of all blobs of about that colour, the mean of them [rad], as below; none: none is in sight.
+/// Returns the mean direction of all blobs with about that colour [rad], as below; nothing if none is in sight.
 std::optional<double> bearingOf(const ColorBlobs& seen, Color color);
-/// Returns whether all blobs of about that colour are below the camera's horizon, as what stands on the ground is.
+/// Returns whether all blobs with about that colour are below the camera's horizon, as objects on the ground are.
 bool isBelowHorizon(const ColorBlobs& seen, Color color);
 /// Returns the direction of a place in the robot's frame [rad], counter-clockwise from ahead, in [-pi, pi].
 double bearingOf(const Eigen::Vector2d& place);

@@ -15,7 +15,8 @@ std::vector<DeviceChecks>& registered() {
   return checks;
 }
 
-/// Checks of a robot's own devices are named as unchecked if its configuration does not list the device.
+/// Checks of devices that only this type of robot has are reported as unchecked if its configuration does not list
+/// them.
 bool concerns(const Bench& bench, const std::string& device) {
   const DeviceType* type = findDeviceType(device);
   return bench.isListed(device) || (type != nullptr && type->robot == bench.robotType());
@@ -118,7 +119,7 @@ Check camera(Bench& bench, const std::string& device) {
   check.stages.push_back(settle(bench, [&bench] {
     const Surroundings& place = bench.surroundings();
     constexpr double kDistance = 0.05;  // m, accuracy with which objects are placed
-    constexpr double kBearing = 0.15;   // rad, likewise
+    constexpr double kBearing = 0.15;   // rad, the same for directions
     const Eigen::Vector2d beacon = bench.find(place.beacon_color, "the beacon ahead");
     bench.expectAbout("distance of the beacon", beacon.norm(), place.beacon_distance, kDistance, "m");
     bench.expectAngle("bearing of the beacon", bearingOf(beacon), 0.0, kBearing);

@@ -13,14 +13,14 @@
 
 namespace swarmanoid::conformance {
 
-/// Returns the checks of the robot in its role, in the order in which they are done: those of the devices that only
-/// robots of its type have, and of all other devices that its configuration lists.
+/// Returns the checks of the robot in its role, in the order of execution: those of the devices that only robots of its
+/// type have, and of all other devices in its configuration.
 std::vector<Check> checksFor(Bench& bench);
 
 std::vector<Check> observerChecks(Bench& bench);
 
-/// Brings checks into an order: first what is only shown, since its observer looks from the start, then what is done
-/// where the robot was put, and each check after those that it needs or follows; otherwise as they are.
+/// Sorts checks: first the shown ones, whose observer looks from the start, then those at the start pose, and each
+/// check after those that it needs or follows. The order is otherwise kept.
 /// @throws std::logic_error if checks wait for each other
 std::vector<Check> inOrder(std::vector<Check> checks);
 
@@ -29,22 +29,22 @@ std::vector<Check> inOrder(std::vector<Check> checks);
 constexpr double kLeastWay = 0.03;       ///< allowed error of a driven distance [m]
 constexpr double kLeastFlownWay = 0.05;  ///< allowed error of a flown distance [m]
 constexpr double kLeastAngle = 0.1;      ///< allowed error of a turn [rad]
-/// What a ring in one colour shows: no two channels of it can be confused.
+/// Colour of a ring in one colour: no two channels of it can be confused.
 constexpr Color kOneColor = colors::kOrange;
 
 /// The position of an object before a motion, in the robot's frame [m].
 using Place = std::shared_ptr<Eigen::Vector2d>;
 inline Place place() { return std::make_shared<Eigen::Vector2d>(Eigen::Vector2d::Zero()); }
 
-/// Returns a function that writes the place where something of that colour is seen. @param name for the message when it
-/// is not in sight
+/// Returns a function that writes the position of the object of that colour to `before`. @param name for the message if
+/// it is not in sight
 std::function<void()> rememberPlace(Bench& bench, Color color, const std::string& name, const Place& before);
 
-/// Checks that beacon and prey are where the surroundings parameters place them.
+/// Checks that beacon and prey are at the positions in the surroundings parameters.
 Check camera(Bench& bench, const std::string& device);
-/// Shows something for a few seconds, for an observer.
+/// Shows a light for a few seconds, for an observer.
 Check shown(Bench& bench, const std::string& device, std::function<void()> light);
-/// Shows LED 0 in red, the LED at a quarter of the ring (to the left) in blue, that at half of it (behind) in green.
+/// Shows LED 0 in red, the LED at a quarter of the ring (to the left) in blue, the one at half of it (behind) in green.
 template <class Leds>
 Check ledsShown(Bench& bench) {
   return shown(bench, Leds::kType, [&bench] {
@@ -62,7 +62,7 @@ template <class Leds>
 Check ringShown(Bench& bench, void (*light)(Leds& leds)) {
   return shown(bench, Leds::kType, [&bench, light] { light(*bench.actuator<Leds>()); });
 }
-/// Returns "" or the reason why a check that needs the beacon cannot be done; the others likewise.
+/// Each returns "" or the reason why a check that needs the beacon (prey, wall, ...) is impossible.
 std::string needsBeacon(const Bench& bench);
 std::string needsPrey(const Bench& bench);
 std::string needsWall(const Bench& bench);

@@ -1,6 +1,6 @@
-// The conformance test: a controller that tries the devices of its robot one after the other, and judges by the
-// readings of the robot's own sensors whether units and signs are those of the interface. After a failure it stops the
-// robot, but for an observer.
+// The conformance test: a controller that tests the devices of its robot one after the other, and judges by the
+// readings of the robot's own sensors whether units and signs match the interface. After a failure it stops the robot,
+// unless it is an observer.
 #include <algorithm>
 #include <stdexcept>
 
@@ -18,7 +18,7 @@ class Conformance final : public Controller {
   }
 
   void reset() override {
-    checks_ = checksFor(*bench_);  // anew, since checks remember what they have seen
+    checks_ = checksFor(*bench_);  // rebuilt, because checks keep readings
     current_ = 0;
     stage_ = 0;
     is_begun_ = false;
@@ -63,7 +63,7 @@ class Conformance final : public Controller {
     std::string text;
   };
 
-  /// @return whether the stage is over, and the next one begins in this tick
+  /// @return whether the stage is over, so that the next one starts in this tick
   bool advance(const Check& check, double now) {
     const Stage& stage = check.stages[stage_];
     if (!is_begun_) {
@@ -129,7 +129,7 @@ class Conformance final : public Controller {
     return "";
   }
 
-  /// Returns the devices that no check has covered, so that none passes unreported.
+  /// Returns the devices without a completed check, so that each of them is reported.
   std::vector<std::string> uncovered() const {
     std::vector<std::string> left;
     for (const DeviceType* type : deviceTypes()) {
@@ -149,8 +149,8 @@ class Conformance final : public Controller {
   struct Summary {
     std::vector<std::string> passed;
     std::vector<std::string> failed;
-    std::string why;        ///< description of all that is wrong
-    std::string unchecked;  ///< checks that were not done, each with the reason
+    std::string why;        ///< all failures
+    std::string unchecked;  ///< skipped checks, each with the reason
     bool has_judged = false;
   };
 
@@ -197,7 +197,7 @@ class Conformance final : public Controller {
       return;
     }
     const std::string verdict = "conformance test failed: " + joinNames(result.failed) + " (" + result.why + ")";
-    if (bench_->isObserver()) {  // whom the other robot may still talk to
+    if (bench_->isObserver()) {  // the other robot may still call it
       robot.log(LogLevel::kError, verdict);
       robot.debug("conformance", verdict);
       return;

@@ -1,5 +1,5 @@
-// The checks of the observer: whether the LEDs of another robot's ring are in the right order and direction, or all in
-// one colour; and what other devices find out about it.
+// The checks of the observer: the order and direction of the LEDs in another robot's ring, or their common colour, and
+// the other robot's effects on further devices.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSightPatience = 10.0;  // s
 
-/// Where LEDs were seen last: they may shine one after the other [m].
+/// Last seen positions of the LEDs, which may shine one after the other [m].
 struct Seen {
   std::optional<Eigen::Vector2d> ahead;
   std::optional<Eigen::Vector2d> left;
@@ -60,7 +60,7 @@ Check ringInThreeColors(Bench& bench) {
   return check;
 }
 
-/// Half of a ring at the least is in sight, from end to end as wide as the ring, and all that is near it is of it.
+/// At least about half of the ring is visible, it is as wide as the ring, and no other LED shines nearby.
 Check ringInOneColor(Bench& bench) {
   Check check{"one_color_of_the_other", {bench.cameraDevice()}, "", {}, {}};
   const auto seen = [&bench] { return bench.see(kOneColor).has_value(); };
@@ -105,7 +105,7 @@ std::vector<Check> observerChecks(Bench& bench) {
     } else if (!sees) {
       ring.obstacle = "nobody is observed (observed_leds is 0)";
     }
-    checks.insert(checks.begin(), std::move(ring));  // it shines at first only
+    checks.insert(checks.begin(), std::move(ring));  // the ring shines only at the start
   }
   return checks;
 }

@@ -6,9 +6,9 @@
 
 namespace swarmanoid::conformance {
 
-constexpr double kTilt = 0.3;  ///< of the laser, where a check does not say another [rad]
+constexpr double kTilt = 0.3;  ///< default tilt of the laser [rad]
 
-/// Points somewhere [rad], stands still, then judges.
+/// Points the laser [rad], stands still, then judges.
 inline Stage point(Bench& bench, double pan, double tilt, std::function<void()> judge) {
   Stage stage = settle(bench, std::move(judge));
   stage.begin = [&bench, pan, tilt] { *bench.actuator<EyebotLaser>() = {true, pan, tilt}; };

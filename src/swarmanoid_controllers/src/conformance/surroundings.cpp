@@ -12,7 +12,7 @@ constexpr Range kDistance{0.0, 100.0};
 constexpr Range kTurn{-180.0, 180.0};
 constexpr Range kWord{0.0, static_cast<double>(std::numeric_limits<std::uint32_t>::max())};
 
-/// Reads "0, 2" as the numbers of holders.
+/// Reads "0, 2" as indices of holders.
 std::vector<std::size_t> readHeld(const Configuration& parameters) {
   std::vector<std::size_t> held;
   const std::string text = parameters.text("held", "");

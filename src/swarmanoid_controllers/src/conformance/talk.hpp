@@ -1,8 +1,8 @@
-/// What a robot that is tested and its partner say to each other, by any device that carries messages.
+/// Messages between a tested robot and its partner, by any device that carries messages.
 ///
-/// The robot calls its partner by name; the partner, an observer, answers with the same bytes, each bit turned over,
-/// whatever it hears that is a call for it. So a byte that is lost, added or moved on either way is found, and nobody
-/// takes a call for an answer. What robots say to others is in order too, and ignored.
+/// The robot calls its partner by name; the partner, an observer, answers each call to it with the same bytes, all bits
+/// inverted. A byte that is lost, added or moved on either way is therefore detected, and a call is never mistaken for
+/// an answer. Messages between other robots are legal, and ignored.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ using Words = std::array<std::uint8_t, byte_count>;
 namespace talk {
 
 constexpr std::size_t kNameBytes = 3;
-constexpr std::size_t kPartner = 1;  // where the name of the partner begins, behind the mark
+constexpr std::size_t kPartner = 1;  // offset of the partner's name, after the mark
 constexpr std::size_t kCaller = kPartner + kNameBytes;
 constexpr std::size_t kCount = kCaller + kNameBytes;
 constexpr std::uint8_t kCall = 0xC5;
@@ -36,7 +36,7 @@ void putName(Words<byte_count>& words, std::size_t at, const std::string& name) 
 
 }  // namespace talk
 
-/// @param count of the call, so that each differs from the one before
+/// @param count of the call, so that successive calls differ
 template <std::size_t byte_count>
 Words<byte_count> callOf(const std::string& caller, const std::string& partner, std::uint8_t count) {
   static_assert(byte_count > talk::kCount + 1);
@@ -59,7 +59,7 @@ Words<byte_count> answerTo(Words<byte_count> call) {
   return call;
 }
 
-/// Whether these words, of any caller, are a call for that partner, and all of it.
+/// Whether these bytes are a complete call, of any caller, for that partner.
 template <std::size_t byte_count>
 bool isCallFor(const Words<byte_count>& words, const std::string& partner) {
   Words<byte_count> expected = callOf<byte_count>("", partner, words[talk::kCount]);
@@ -69,7 +69,7 @@ bool isCallFor(const Words<byte_count>& words, const std::string& partner) {
   return words == expected;
 }
 
-/// What an observer says by radio to nobody, when it has no call to answer: no other robot may hear it.
+/// Message that an observer without a call to answer sends by radio to no address: no other robot may receive it.
 template <std::size_t byte_count>
 Words<byte_count> whisper() {
   Words<byte_count> words{};

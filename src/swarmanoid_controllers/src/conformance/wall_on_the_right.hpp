@@ -1,5 +1,5 @@
-/// The check of sensors that measure distances in directions of their own: those that look to the right measure the
-/// wall there. Where on the robot they sit is not known.
+/// The check of sensors that measure distances in known directions: those that face right measure the wall there. Their
+/// positions on the robot are not known.
 #pragma once
 
 #include <cmath>
@@ -10,13 +10,13 @@
 
 namespace swarmanoid::conformance {
 
-/// Judges all sensors, or beams, that look level and at most 0.5 rad from the right.
+/// Judges all level sensors, or beams, within 0.5 rad of the right.
 class WallOnTheRight {
  public:
-  /// @param part that looks: "sensor", "beam"
+  /// @param part that measures: "sensor", "beam"
   WallOnTheRight(Bench& bench, const char* part) : bench_(bench), part_(part) {}
 
-  /// The next one. @param angle in the robot's frame [rad] @param distance that it measures [m]
+  /// Judges the next one. @param angle in the robot's frame [rad] @param distance measured [m]
   void look(float angle, float distance) {
     constexpr double kOff = 0.5;  // rad
     const double aside = static_cast<double>(angle) + M_PI / 2.0;
@@ -28,7 +28,7 @@ class WallOnTheRight {
     }
     ++number_;
   }
-  /// The next one does not look level.
+  /// Skips the next one, which is not level.
   void skip() { ++number_; }
   void end() { bench_.expectTrue("some " + std::string(part_) + " looks to the right", looking_ > 0); }
 

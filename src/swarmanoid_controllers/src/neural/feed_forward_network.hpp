@@ -1,10 +1,10 @@
-/// A feed-forward network: layers of neurons, each of which answers to all of the layer before.
+/// A feed-forward network: layers of neurons, each of which is connected to all neurons of the layer before.
 ///
-///     neuron   a_i = f(b_i + sum_j w_ij a_j)    a_j of the layer before; f: tanh, of the last layer the logistic
-///     function weights  layer by layer; in a layer neuron by neuron; of a neuron those from the layer before, in its
-///     order biases   layer by layer, neuron by neuron
+///     neuron    a_i = f(b_i + sum_j w_ij a_j)    a_j of the layer before; f: logistic in the last layer, else tanh
+///     weights   by layer, then by neuron, then by neuron of the layer before
+///     biases    by layer, then by neuron
 ///
-/// Threads  one network belongs to one robot. Nothing is allocated after it is made.
+/// Threads  one network belongs to one robot. No allocation after construction.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ namespace swarmanoid::neural {
 class FeedForwardNetwork {
  public:
   FeedForwardNetwork() = default;
-  /// @param layers sizes: inputs, hidden layers if there are any, outputs
-  /// @pre weights and biases are as many as weightCount and biasCount say
+  /// @param layers sizes: inputs, hidden layers if any, outputs
+  /// @pre weightCount(layers) weights and biasCount(layers) biases
   FeedForwardNetwork(std::vector<std::size_t> layers, std::vector<double> weights, std::vector<double> biases)
       : layers_(std::move(layers)), weights_(std::move(weights)), biases_(std::move(biases)) {
     SWARMANOID_EXPECTS(weights_.size() == weightCount(layers_) && biases_.size() == biasCount(layers_));
@@ -43,9 +43,9 @@ class FeedForwardNetwork {
     return count;
   }
 
-  /// Written before `evaluate`.
+  /// Set before `evaluate`.
   std::vector<double>& inputs() { return activations_.front(); }
-  /// From 0 to 1.
+  /// In [0, 1].
   const std::vector<double>& outputs() const { return activations_.back(); }
 
   void evaluate() {

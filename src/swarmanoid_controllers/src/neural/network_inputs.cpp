@@ -69,7 +69,7 @@ std::size_t NetworkInputs::sizeOf(const Source& source) {
 
 double NetworkInputs::scaled(const Source& source, double value) {
   if (std::isnan(value)) {
-    return 0.0;  // nobody knows
+    return 0.0;  // no reading
   }
   const double part = std::clamp(value, source.range.minimum, source.range.maximum) / source.farthest;
   return source.is_near ? 1.0 - std::abs(part) : part;
@@ -120,7 +120,7 @@ void NetworkInputs::readSectors(const Source& source, double* values) {
     if (!std::isfinite(turn)) {
       continue;
     }
-    const double sector = std::floor((turn - std::floor(turn)) * count + 0.5);  // the first one is around ahead
+    const double sector = std::floor((turn - std::floor(turn)) * count + 0.5);  // the first sector is centred ahead
     double& value = values[sector >= count ? 0 : static_cast<std::size_t>(sector)];
     const double found = scaled(source, source.places[0].read(element));
     value = std::abs(found) > std::abs(value) ? found : value;

@@ -1,6 +1,6 @@
-/// The inputs of a neural network: readings of sensors, scaled.
+/// Inputs of a neural network: scaled sensor readings.
 ///
-/// Threads  const after they are made.
+/// Threads  const after construction.
 #pragma once
 
 #include "port.hpp"
@@ -14,7 +14,7 @@ class NetworkInputs {
   NetworkInputs(const Robot& robot, const Configuration& inputs);
 
   std::size_t size() const { return size_; }
-  /// @param values as many as `size` says: 0 stays 0, and what is farthest from it becomes 1 or -1
+  /// @param values `size()` values: 0 stays 0, and the value farthest from it becomes 1 or -1
   void read(std::vector<double>& values) const;
 
  private:
@@ -24,14 +24,14 @@ class NetworkInputs {
     Kind kind = Kind::kNumbers;
     const std::byte* device = nullptr;
     std::vector<NumberPlace> places;
-    std::size_t group = 1;        // numbers whose mean is one input
-    std::size_t span_offset = 0;  // of the list in the device [byte]
-    SpanAccess span;              // of a list
-    NumberPlace direction;        // by which elements are in sectors
-    std::size_t count = 0;        // elements of a list that are read, or sectors
-    double farthest = 1.0;        // value that becomes 1
+    std::size_t group = 1;        // count of numbers whose mean is one input
+    std::size_t span_offset = 0;  // of the list, in the device [byte]
+    SpanAccess span;              // access to the list
+    NumberPlace direction;        // number that assigns list elements to sectors
+    std::size_t count = 0;        // of list elements that are read, or of sectors
+    double farthest = 1.0;        // value that is scaled to 1
     Range range;
-    bool is_near = false;  // 1 at 0, and 0 at the farthest
+    bool is_near = false;  // 1 at 0, and 0 at `farthest`
   };
 
   static Source sourceOf(Port& port, const void* device);

@@ -1,6 +1,6 @@
-/// The outputs of a neural network: commands of actuators.
+/// Outputs of a neural network: commands of actuators.
 ///
-/// Threads  const after they are made, but for the commands, which belong to one robot.
+/// Threads  const after construction, except the commands, which belong to one robot.
 #pragma once
 
 #include "port.hpp"
@@ -14,7 +14,7 @@ class NetworkOutputs {
   NetworkOutputs(Robot& robot, const Configuration& outputs);
 
   std::size_t size() const { return targets_.size(); }
-  /// @param values from 0, which is the minimum of the field, to 1, its maximum
+  /// @param values in [0, 1], from the minimum of the field to its maximum
   void write(const std::vector<double>& values) const;
 
  private:
@@ -25,7 +25,7 @@ class NetworkOutputs {
   };
 
   std::vector<Target> targets_;
-  std::vector<Target> constants_;  // what the network does not command: its range is the value
+  std::vector<Target> constants_;  // fields with a fixed command, whose range holds the value
 };
 
 }  // namespace swarmanoid::neural

@@ -1,4 +1,4 @@
-/// What the controllers of neural networks read from their parameters beside inputs and outputs.
+/// Parameters of the neural controllers other than inputs and outputs.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace swarmanoid::neural {
 
-/// Reads as many numbers as the network needs. @param shape what it needs them for, for messages
-/// @throws ConfigError that says how many
+/// Reads a list of exactly `count` numbers. @param shape their purpose, for messages
+/// @throws ConfigError with the count if it differs
 inline std::vector<double> numbersOf(const Configuration& parameters, const std::string& key, std::size_t count,
                                      const std::string& shape, Range range = {}) {
   const std::string needed = std::to_string(count) + " numbers separated by commas (" + shape + ")";

@@ -7,7 +7,7 @@
 namespace swarmanoid::neural {
 namespace {
 
-/// "joints.angle" for "joints[].angle": tags have no brackets.
+/// "joints.angle" for "joints[].angle": tags contain no brackets.
 std::string tagsOf(const FieldDescription& field) {
   std::string name = field.name;
   for (std::size_t at = name.find("[]"); at != std::string::npos; at = name.find("[]")) {
@@ -44,8 +44,8 @@ Port portOf(const DeviceType& type, std::size_t field, const Configuration& para
   return port;
 }
 
-/// Adds the fields that an element names, and those that the elements in it name.
-/// @param prefix of the fields' names, with a point
+/// Adds the fields that an element and its children name.
+/// @param prefix of the fields' names, with its dot
 void collect(const DeviceType& type, const Configuration& element, const std::string& prefix,
              std::vector<Port>& ports) {
   refuseText(element);

@@ -1,5 +1,5 @@
-/// What a neural network reads and commands: fields of any devices that its configuration lists, found by the devices'
-/// descriptors. The parameters are shaped as the devices are: a tag a device, in it a tag a field.
+/// The fields that a neural network reads and commands: fields of any devices in its configuration, found by the
+/// devices' descriptors. The parameters mirror the devices: a tag for each device, and in it a tag for each field.
 ///
 ///     <inputs>
 ///       <footbot_proximity> <value groups="8"/> </footbot_proximity>
@@ -9,10 +9,10 @@
 ///       <footbot_wheels> <left minimum="-5" maximum="5"/> <right minimum="-5" maximum="5"/> </footbot_wheels>
 ///     </outputs>
 ///
-/// The order is that of the devices' names, in a device that of its descriptor, whatever the order in the file is.
+/// Devices are ordered by name and fields as in the descriptor, independent of the order in the file.
 /// docs/reference/neural_controllers.md has the attributes and the scaling.
 ///
-/// Threads  const after they are made, but for the devices of their robot, which one thread at a time works on.
+/// Threads  const after construction, except the devices of the robot, which one thread at a time uses.
 #pragma once
 
 #include <cstddef>
@@ -26,26 +26,26 @@
 
 namespace swarmanoid::neural {
 
-/// A field in <inputs> or <outputs>, with the device that has it.
+/// A field in <inputs> or <outputs>, with its device.
 struct Port {
   const DeviceType* type = nullptr;
   const FieldDescription* field = nullptr;
-  std::vector<NumberPlace> places;     ///< of the field's numbers, in the device, or in an element of its list
-  const DeviceNumber* span = nullptr;  ///< the list that the field is in; null if it is in none
-  Range range;                         ///< that is scaled to
+  std::vector<NumberPlace> places;     ///< of the field's numbers, in the device or in an element of its list
+  const DeviceNumber* span = nullptr;  ///< list that contains the field; null if none does
+  Range range;                         ///< range that values are scaled to
   const Configuration* parameters = nullptr;
 };
 
-/// Returns the fields that <inputs> or <outputs> names, of sensors or of actuators. @throws ConfigError
+/// Returns the fields of sensors or of actuators that <inputs> or <outputs> lists. @throws ConfigError
 std::vector<Port> portsOf(const Robot& robot, const Configuration& element, DeviceKind kind);
 
-/// The bounds that the descriptor gives, or else those of the type of the number; infinite if it has none.
+/// Bounds in the descriptor, or else those of the number's type; +-pi for angles that wrap, infinite if there are none.
 Range boundsOf(const FieldDescription& field);
 
-/// Reads the attributes minimum and maximum, which are boundsOf if they are not given. @throws ConfigError
+/// Reads the attributes minimum and maximum; boundsOf is the default. @throws ConfigError
 void takeRange(Port& port);
 
-/// Reads the attribute count of a field in no list, and leaves so many of its numbers. @throws ConfigError
+/// Reads the attribute count of a field outside lists, and keeps only that many of its numbers. @throws ConfigError
 void takeCount(Port& port);
 
 /// @throws ConfigError "found the field 'value' of light<found>, allowed: <allowed>"

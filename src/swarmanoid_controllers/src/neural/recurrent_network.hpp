@@ -3,17 +3,17 @@
 ///
 ///     tau_i dy_i/dt = -y_i + sum_k g_ik I_k + sum_j w_ij s(y_j + b_j)      s: the logistic function
 ///
-/// The neurons are fully connected, each with itself too. The last ones are the outputs, s(y_i + b_i). At the start all
-/// y_i are 0.
+/// The neurons are fully connected, including self-connections. The last ones are the outputs, s(y_i + b_i). All y_i
+/// start at 0.
 ///
-///     weights         neuron by neuron; of a neuron g from the inputs, then w from the neurons
-///     biases          b, neuron by neuron
-///     time constants  tau, likewise [s]
+///     weights         by neuron: first g from the inputs, then w from the neurons
+///     biases          b, by neuron
+///     time constants  tau, by neuron [s]
 ///
-/// A step takes the right side as constant and solves the rest exactly, y_i -> r_i + (y_i - r_i) e^(-dt / tau_i): so it
-/// is stable with every time constant, and exact where nothing but decay is left.
+/// A step takes the right side as constant and solves the rest exactly, y_i -> r_i + (y_i - r_i) e^(-dt / tau_i): it is
+/// stable with every time constant, and exact for pure decay.
 ///
-/// Threads  one network belongs to one robot. Nothing is allocated after it is made.
+/// Threads  one network belongs to one robot. No allocation after construction.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ namespace swarmanoid::neural {
 class RecurrentNetwork {
  public:
   RecurrentNetwork() = default;
-  /// @param time_constants [s], above 0, as many as there are neurons @pre the numbers of weights and biases fit
+  /// @param time_constants [s], above 0, one for each neuron @pre the numbers of weights and biases fit
   RecurrentNetwork(std::size_t inputs, std::size_t outputs, std::vector<double> weights, std::vector<double> biases,
                    std::vector<double> time_constants)
       : inputs_(inputs, 0.0),
@@ -45,9 +45,9 @@ class RecurrentNetwork {
 
   static std::size_t weightCount(std::size_t inputs, std::size_t neurons) { return neurons * (inputs + neurons); }
 
-  /// Written before `advance`.
+  /// Set before `advance`.
   std::vector<double>& inputs() { return inputs_; }
-  /// From 0 to 1.
+  /// In [0, 1].
   const std::vector<double>& outputs() const { return outputs_; }
   /// y, by neuron.
   const std::vector<double>& states() const { return states_; }
@@ -93,9 +93,9 @@ class RecurrentNetwork {
   std::vector<double> biases_;
   std::vector<double> time_constants_;  // s
   std::vector<double> states_;
-  std::vector<double> rates_;   // s(y + b) at the begin of a step
+  std::vector<double> rates_;   // s(y + b) at the start of a step
   std::vector<double> decays_;  // e^(-dt / tau)
-  double dt_ = 0.0;             // s, that the decays are for
+  double dt_ = 0.0;             // s, for which the decays were computed
 };
 
 }  // namespace swarmanoid::neural

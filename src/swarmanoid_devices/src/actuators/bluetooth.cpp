@@ -1,4 +1,4 @@
-// Bluetooth of any robot: what it sends.
+// The Bluetooth sender of any robot.
 #include "swarmanoid_interface/devices/bluetooth.hpp"
 
 #include "message_sender.hpp"

@@ -1,4 +1,4 @@
-// The wheels of any robot with a differential drive, by speed and turn rate.
+// The wheels of any robot with a differential drive, commanded by speed and turn rate.
 #include "swarmanoid_interface/devices/differential_drive.hpp"
 
 #include "slipping_wheels.hpp"

@@ -1,5 +1,5 @@
-// The laser pointer: its beam ends on the first surface it hits, or on the ground, and makes a red spot there; none in
-// a hole of the floor.
+// The laser pointer: it makes a red spot where its beam hits the first surface or the ground; none in a hole of the
+// floor.
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 
 #include <Eigen/Core>
@@ -50,8 +50,8 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
   static constexpr double kOnFloor = 1e-6;  // m
   static constexpr double kReach = 20.0;    // m
 
-  /// The beam from a point as far as the floor, or as far as it reaches. Where there is a terrain, which replaces the
-  /// floor, it goes on as deep as the terrain does: a ray along it hits that. @param direction of length 1
+  /// The beam from a point to the floor, at most to its range. Where terrain replaces the floor, it extends to the
+  /// lowest height of the ground, so that a ray along it hits the terrain. @param direction of length 1
   static Segment beamToGround(const Space& space, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
     const auto downTo = [&](double height) -> Eigen::Vector3d {
       const double way = direction.z() < 0.0 ? (height - from.z()) / direction.z() : kReach;

@@ -1,4 +1,4 @@
-// Magnet: the engine that moves the robot computes the holding; this device only passes the command on.
+// Magnet: this device only passes the command on; the engine that moves the robot computes the attachment.
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 
 #include "holders.hpp"

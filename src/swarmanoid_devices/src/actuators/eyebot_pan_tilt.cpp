@@ -1,5 +1,5 @@
-// The mounting of the eyebot's camera: it turns to the commanded angles as fast as it can. It weighs nothing that an
-// engine would feel, so its angles are kept here.
+// The pan-tilt mount of the eyebot's camera: it turns to the commanded angles at limited speeds. Engines ignore its
+// mass, so this device keeps its angles.
 #include "swarmanoid_interface/devices/eyebot_pan_tilt.hpp"
 
 #include "parameters.hpp"
@@ -9,7 +9,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-/// With the angles where it stands, and those where it stood in the tick before.
+/// With the current angles, and those of the previous tick.
 struct PanTiltInstance : BasicActuatorInstance<EyebotPanTilt> {
   double pan = 0.0;          // rad
   double tilt = 0.0;         // rad

@@ -1,4 +1,4 @@
-// The eyebot's flight controller that flies to places: it adds up the ways and turns that it has really flown.
+// The eyebot's position controller, with odometry: it adds up the distances and turns of its actual flight.
 #include "swarmanoid_interface/devices/eyebot_position.hpp"
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace swarmanoid::devices {
 namespace {
 
 struct PositionInstance : BasicActuatorInstance<EyebotPosition> {
-  EyebotPilot before;  // when the last tick that was carried out began
-  EyebotPilot pilot;   // with what was commanded in it
-  Pose pose;           // of the robot then
+  EyebotPilot before;  // state at the start of the last computed tick
+  EyebotPilot pilot;   // after the command of that tick
+  Pose pose;           // of the robot at the start of that tick
   TickGuard tick;
 };
 
@@ -85,7 +85,7 @@ class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionI
     const double heading = headingOf(pose);
     const Eigen::AngleAxisd to_heading(-heading, Eigen::Vector3d::UnitZ());
     if (space.placed[instance.row] == space.tick) {
-      instance.before.moved(Eigen::Vector3d::Zero(), 0.0, dt);  // it did not fly there
+      instance.before.moved(Eigen::Vector3d::Zero(), 0.0, dt);  // a teleport is not flown
     } else {
       instance.before.moved(to_heading * (pose.position - instance.pose.position),
                             wrapAngle(heading - headingOf(instance.pose)), dt);

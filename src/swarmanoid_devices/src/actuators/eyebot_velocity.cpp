@@ -1,4 +1,4 @@
-// The eyebot's flight controller: velocities are limited in length, and disturbed by gusts if configured.
+// The eyebot's velocity controller: it limits the length of velocities, and adds gusts if configured.
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
     EyebotVelocity& velocity = *instance.actuation;
     const double speed = velocity.linear.norm();
     if (!std::isfinite(speed)) {
-      // the velocity is finite, but its square may not be
+      // the components are finite, but their square may overflow
       velocity.linear /= velocity.linear.cwiseAbs().maxCoeff();
       velocity.linear *= max_speed_ / velocity.linear.norm();
     } else if (speed > max_speed_) {

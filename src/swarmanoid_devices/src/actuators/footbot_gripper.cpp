@@ -1,4 +1,4 @@
-// Gripper: the engine that moves the robot computes the gripping; this device only passes the command on.
+// Gripper: this device only passes the command on; the engine that moves the robot computes the grip.
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 
 #include "holders.hpp"

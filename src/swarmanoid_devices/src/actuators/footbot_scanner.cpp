@@ -1,4 +1,4 @@
-// The motor of the rotating distance scanner: the command is limited. The sensor turns the head, which no engine knows.
+// The motor of the rotating distance scanner: the command is limited. The sensor turns the head, which engines ignore.
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 
 #include "swarmanoid_space/actuator.hpp"

@@ -1,4 +1,4 @@
-// Turret: the command is limited by its motor. The engine that moves the robot turns the turret.
+// Turret: the command is limited to the motor's range. The engine that moves the robot turns the turret.
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 
 #include "joints.hpp"

@@ -1,4 +1,4 @@
-// Hands: the engine that moves the robot computes the holding; this device only passes the command on.
+// Hands: this device only passes the command on; the engine that moves the robot computes the attachments.
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 
 #include "holders.hpp"

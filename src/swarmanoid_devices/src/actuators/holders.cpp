@@ -1,4 +1,4 @@
-// What any robot holds with: the engine that moves the robot computes holding and winding.
+// All holders of any robot: the engine that moves the robot computes holding and winding.
 #include "swarmanoid_interface/devices/holders.hpp"
 
 #include "holders.hpp"

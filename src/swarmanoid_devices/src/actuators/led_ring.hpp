@@ -1,6 +1,6 @@
-/// What actuators that show colours on a robot's LEDs have in common: they write them to the space, from which cameras
-/// and light sensors read them. A ring, or a device that thinks of it in another way (thesis 3.3: modalities of
-/// accessing a device), writes all LEDs in each tick, so a robot has one of them.
+/// Base classes of actuators that show colours on a robot's LEDs: they write the colours to the space, from which
+/// cameras and light sensors read them. Each such device, a ring or another modality of access to the LEDs (thesis
+/// 3.3), writes all LEDs in each tick, so a robot has at most one of them.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace swarmanoid::devices {
 
-/// All devices of this family, by which a second one on a robot is refused.
+/// All device types that write LEDs; a robot may have one of them.
 constexpr std::array<const char*, 6> kLedDevices{
     "eyebot_leds", "footbot_beacon", "footbot_leds", "footbot_preferential_direction", "handbot_leds", "leds"};
 
@@ -26,7 +26,7 @@ constexpr bool isLedDevice(std::string_view type) {
   return false;
 }
 
-/// @throws ConfigError if the robot has another device that shows its LEDs
+/// @throws ConfigError if the robot has another device for its LEDs
 inline void refuseSecondLeds(const Space& space, Row row, const std::string& type) {
   for (const char* other : kLedDevices) {
     if (type != other && space.actuation.find(other, row) != nullptr) {
@@ -58,7 +58,7 @@ class LedActuator : public ActuatorOf<Leds> {
   }
 };
 
-/// A struct with `std::array<Color, kCount> ring`.
+/// `Leds` has `std::array<Color, kCount> ring`.
 template <class Leds>
 class LedRingActuator : public LedActuator<Leds> {
  protected:

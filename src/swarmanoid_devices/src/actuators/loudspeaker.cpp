@@ -1,4 +1,4 @@
-// The loudspeaker of any robot. Microphones read its actuation (sound_sources.hpp), so there is nothing to pass on.
+// The loudspeaker of any robot. Microphones read its actuation (sound_sources.hpp), so nothing is passed on.
 #include "swarmanoid_interface/devices/loudspeaker.hpp"
 
 #include "swarmanoid_space/actuator.hpp"
@@ -22,7 +22,7 @@ class LoudspeakerActuator final : public ActuatorOf<Loudspeaker> {
 
  protected:
   void prepareInstance(const Space& space, BasicActuatorInstance<Loudspeaker>& instance) override {
-    // microphones go by what is accepted here
+    // microphones rely on this check
     transmitterOf(*space.entities.model[instance.row], Loudspeaker::kType, Loudspeaker::kLink);
   }
 

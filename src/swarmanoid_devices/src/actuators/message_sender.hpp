@@ -1,5 +1,5 @@
-/// What all devices that send messages have in common: their command is what they send. Receivers read it in the next
-/// tick (sensors/message_receiver.hpp), so there is nothing to pass on.
+/// Base class of devices that send messages: their command is the message. Receivers read it in the next tick
+/// (sensors/message_receiver.hpp), so nothing is passed on.
 ///
 /// A sender is its struct, which derives from MessageCommand and has kLink, and a class such as
 ///
@@ -32,7 +32,7 @@ class MessageSender : public ActuatorOf<Command> {
   }
 
   void prepareInstance(const Space& space, BasicActuatorInstance<Command>& instance) override {
-    // receivers go by what is accepted here
+    // receivers rely on this check
     transmitterOf(*space.entities.model[instance.row], Command::kType, Command::kLink);
   }
 };

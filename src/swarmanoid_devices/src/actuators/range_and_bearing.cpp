@@ -1,4 +1,4 @@
-// The board of range and bearing of any robot: what it sends.
+// The range-and-bearing sender of any robot.
 #include "swarmanoid_interface/devices/range_and_bearing.hpp"
 
 #include "message_sender.hpp"

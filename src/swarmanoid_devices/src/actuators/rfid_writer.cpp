@@ -1,4 +1,4 @@
-// The writer of radio tags of any robot with an antenna.
+// The writer of radio tags, for any robot with an antenna.
 #include "swarmanoid_space/actuator.hpp"
 #include "swarmanoid_space/models/properties.hpp"
 #include "tags.hpp"
@@ -43,14 +43,14 @@ class RfidWriterActuator final : public ActuatorOf<RfidWriter, WriterInstance> {
   }
 
  private:
-  /// What a robot commanded last is still there in the tick in which it is switched off, or fails.
+  /// The last command of a robot remains in the tick in which it is switched off or fails.
   static bool isAlive(const Space& space, Row row) {
     const auto batteries = space.batteries[row];
     const bool is_off = !batteries.empty() && batteries[0].is_empty;
     return !is_off && space.controllers[row].status != StepStatus::kFailed;
   }
 
-  /// A tag of a package may hold less than others: it refuses what it cannot hold.
+  /// Writes a number, unless it is out of the range of the tag's property, which a package may limit.
   static void write(Space& space, Row tag, std::uint32_t data) {
     const EntityModel& model = *space.entities.model[tag];
     const auto place = static_cast<std::size_t>(model.findProperty(kTagData));

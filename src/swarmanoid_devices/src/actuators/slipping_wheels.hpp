@@ -1,4 +1,4 @@
-/// The implementation `slipping` of any drive with two wheels, and the registration of drives with it.
+/// The implementation `slipping` of any two-wheel drive, and the macro that registers a drive with it.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,17 @@
 
 namespace swarmanoid::devices {
 
-/// The least that is left of a wheel's speed on the ground, whatever is drawn: a wheel that slips does not drive
-/// backwards.
+/// Lower bound of the ratio of ground speed to wheel speed: a slipping wheel does not drive backwards.
 constexpr double kLeastGrip = 0.01;
 
-/// A drive whose wheels slip: the implementation `slipping` of any. By the definition of slip, i = 1 - v / (r omega)
-/// (J. Y. Wong, Theory of Ground Vehicles, Wiley), the robot advances as if a wheel turned 1 - i times as fast as it
-/// does. In each tick that factor is drawn anew, so that the error of a wheel's speed grows with the speed (Thrun,
-/// Burgard and Fox, Probabilistic Robotics, MIT Press 2005, section 5.3). Encoders count what the wheel turns.
+/// A two-wheel drive with slip: the implementation `slipping`. By the definition of slip, i = 1 - v / (r omega) (J. Y.
+/// Wong, Theory of Ground Vehicles, Wiley), the robot advances as if a wheel turned 1 - i times as fast as it does. The
+/// factor is drawn anew in each tick, so that the error of a wheel's speed grows with the speed (Thrun, Burgard and
+/// Fox, Probabilistic Robotics, MIT Press 2005, section 5.3). Encoders measure the turns of the wheel.
 ///
-/// Phases  `actuate` commands the engine the speeds with which the ground passes under the wheels, `afterMove` makes of
-///         what the engine says has passed (Space::wheel_turns) what the wheels have turned: no more than motors at
-///         their limit do, since an engine with forces does not bring wheels to the speed of this tick at once.
+/// Phases  `actuate` commands the ground speed under the wheels to the engine. `afterMove` converts the turns over
+///         ground that the engine reports (Space::wheel_turns) to wheel turns, limited to those of motors at full
+///         speed: an engine with forces does not reach the speed of this tick at once.
 template <class Drive>
 class SlippingDrive final : public Drive {
  public:
@@ -71,7 +70,7 @@ class SlippingDrive final : public Drive {
   }
 
  private:
-  /// @return what part of a wheel's speed is left on the ground
+  /// @return ratio of ground speed to wheel speed
   double drawGrip(Instance& instance, double slip) const {
     const double part = noise_ > 0.0 ? instance.random.gaussian(1.0 - slip, noise_) : 1.0 - slip;
     return std::max(part, kLeastGrip);
@@ -86,7 +85,7 @@ class SlippingDrive final : public Drive {
 
 }  // namespace swarmanoid::devices
 
-/// At the end of a drive's source: registers it as it is, and with wheels that slip.
+/// At the end of a drive's source: registers the drive with and without slip.
 #define REGISTER_WHEEL_DRIVE(Class) \
   REGISTER_ACTUATOR(Class)          \
   REGISTER_ACTUATOR(::swarmanoid::devices::SlippingDrive<Class>)

@@ -1,4 +1,4 @@
-/// What all actuators that turn two wheels have in common: the speeds are limited by the motors.
+/// Base class of actuators that turn two wheels: their speeds are limited to the motors' maximum.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@ struct WheelSpeeds {
 template <class Device>
 struct WheelDriveInstance : BasicActuatorInstance<Device> {
   const EntityModel::Wheels* wheels = nullptr;
-  WheelTurns turns_before;  // for wheels that slip (slipping_wheels.hpp): before the engine has moved the robot, rad
+  WheelTurns turns_before;  // for slipping_wheels.hpp: before the engine moves the robot, rad
 };
 
-/// `Drive` derives from this, and says how a command becomes the speeds of two wheels and how these become it:
+/// `Drive` derives from this, and converts between its command and the speeds of two wheels:
 /// `static WheelSpeeds toSpeeds(const Device&, const EntityModel::Wheels&)` and
 /// `static void fromSpeeds(const WheelSpeeds&, const EntityModel::Wheels&, Device&)`.
 template <class Drive, class Device>

@@ -1,4 +1,4 @@
-// WiFi of any robot: what it sends.
+// The WiFi sender of any robot.
 #include "swarmanoid_interface/devices/wifi.hpp"
 
 #include "message_sender.hpp"

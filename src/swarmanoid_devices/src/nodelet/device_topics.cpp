@@ -33,7 +33,7 @@ void DeviceTopics::addReadings(const Space& space, Row row, const DeviceTopic& d
                        }
                        const ros::Time last = header.stamp;
                        header.stamp = madeAt(device, readings, *sensed);
-                       if (header.stamp != last) {  // else published already
+                       if (header.stamp != last) {  // else already published
                          device.publish(publisher, device, readings, header);
                        }
                      }});
@@ -107,7 +107,7 @@ void DeviceTopics::draw(const Space& space) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const Row row = space.entities.find(id_);
   if (is_closed_ || row == kNoRow) {
-    return;  // the robot may be deleted, and added again
+    return;  // the robot may have been deleted, and may be added again
   }
   if (!is_open_) {
     addAll(space, row);

@@ -20,8 +20,8 @@ namespace swarmanoid {
 
 class DeviceTopics final : public Observer {
  public:
-  /// @param robot_handle handle in the robot's namespace; @param commands mailbox for commands; null: there is
-  /// none
+  /// @param robot_handle handle in the robot's namespace
+  /// @param commands mailbox for commands; null: no command topics
   DeviceTopics(const std::string& robot, const ros::NodeHandle& robot_handle, std::shared_ptr<CommandMailbox> commands);
 
   void configure(const std::string&, const Configuration&, const RunContext&) override {}

@@ -1,4 +1,4 @@
-// Coverage: which part of an area robots have visited so far, square by square.
+// Coverage: the share of an area that robots have visited so far, by squares.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ class AreaCoverage final : public MeasuringRule {
     minimum_ = cornerOr("minimum", arena.min(), arena);
     const Eigen::Vector2d maximum = cornerOr("maximum", arena.max(), arena);
     const Eigen::Vector2d size = maximum - minimum_;
-    constexpr double kRounding = 1e-9;  // of a square: 3 m / 0.1 m are 30
+    constexpr double kRounding = 1e-9;  // as a fraction of a square, so that 3 m / 0.1 m is 30
     const Eigen::Array2d count = (size.array() / cell_ + kRounding).floor();
     if (!(count.minCoeff() >= 1.0)) {
       refuse("cell", "at most the shorter side of the area, " + numberText(size.minCoeff()));
@@ -69,7 +69,7 @@ class AreaCoverage final : public MeasuringRule {
     area_->value = static_cast<double>(visited_) * cell_ * cell_;
   }
 
-  /// @param otherwise if nothing is said @throws ConfigError if it is not in the arena
+  /// @param otherwise value of an empty parameter @throws ConfigError if the corner is not in the arena
   Eigen::Vector2d cornerOr(const std::string& name, const Eigen::Vector2d& otherwise,
                            const Eigen::AlignedBox2d& arena) const {
     if (parameters_.text(name).empty()) {
@@ -92,8 +92,8 @@ class AreaCoverage final : public MeasuringRule {
   Configuration parameters_;
   double cell_ = 0.0;                                  // m
   Eigen::Vector2d minimum_ = Eigen::Vector2d::Zero();  // m
-  Eigen::Array2i count_ = Eigen::Array2i::Zero();      // of squares, along x and y
-  std::vector<char> is_visited_;                       // line by line
+  Eigen::Array2i count_ = Eigen::Array2i::Zero();      // number of squares along x and y
+  std::vector<char> is_visited_;                       // row by row
   std::size_t visited_ = 0;
   Metric* share_ = nullptr;
   Metric* area_ = nullptr;

@@ -1,4 +1,4 @@
-// What rules that charge robots know of their batteries, and the metrics that they have of them.
+// Batteries of the robots that a rule charges, and their metrics.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ class Batteries {
  public:
   struct Robot {
     EntityNumber number = kNoEntity;
-    double used = 0.0;      // J, when the rule last looked
-    bool is_empty = false;  // likewise
+    double used = 0.0;      // J, at the last measurement
+    bool is_empty = false;  // at the last measurement
   };
 
-  /// @param robot what the names of the robots begin with @param add adds a metric to the rule
+  /// @param robot prefix of the robots' names @param add adds a metric to the rule
   template <class AddMetric>
   void configure(const std::string& robot, AddMetric add) {
     robot_ = robot;
@@ -29,7 +29,7 @@ class Batteries {
 
   void clear() { robots_.clear(); }
 
-  /// Forgets who is no more, and takes up who is new: robots with a battery.
+  /// Removes deleted robots and adds new ones with a battery.
   void enlist(const Space& space) {
     const auto is_meant = [&](Row row) { return space.entities.name[row].compare(0, robot_.size(), robot_) == 0; };
     swarmanoid::devices::enlist(space, space.powered, is_meant, robots_);
@@ -38,7 +38,7 @@ class Batteries {
   /// By entity number.
   const std::vector<Robot>& all() const { return robots_; }
 
-  /// After each tick. @pre all of them are there: enlist has been called since anybody may have been deleted
+  /// Called after each tick. @pre all robots of the list exist: enlist was called after the last deletion
   void measure(const Space& space) {
     double sum = 0.0;
     double empty = 0.0;

@@ -1,5 +1,5 @@
-// Charging: perches charge the robots that stand beside them, or that hold on to them. What perches and robots hold is
-// their property, which anybody may read and change; what robots use is their battery's affair.
+// Charging: perches charge robots that stand beside them, or that hold on to them. The charges of perches and robots
+// are properties, which can be read and set from outside; the battery model computes what robots use.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -36,16 +36,16 @@ class Charging final : public Rule {
   }
 
   void afterTick(const Space& space, InterventionQueue&) override {
-    batteries_.enlist(space);  // rules that come later may have deleted some
+    batteries_.enlist(space);  // later rules may have deleted some
     batteries_.measure(space);
   }
 
  private:
   struct Perch {
     EntityNumber number = kNoEntity;
-    EntityNumber occupant = kNoEntity;  // the robot that it charges
-    double received = 0.0;  // J, that the occupant had from all that has charged it, when the perch last paid
-    bool is_empty = false;  // it gives nothing until it holds enough again
+    EntityNumber occupant = kNoEntity;  // the robot that the perch charges
+    double received = 0.0;              // J, received by the occupant from all sources, at the last payment
+    bool is_empty = false;              // gives nothing until its charge is `ready` again
   };
 
   void enlistPerches(const Space& space, InterventionQueue& queue) {
@@ -69,7 +69,7 @@ class Charging final : public Rule {
     }
   }
 
-  /// Pays for what the occupant has received, and charges whoever is there now until the perch works again.
+  /// Pays for the energy that the occupant has received, and selects the robot to charge until the next interval.
   void work(const Space& space, Perch& perch, double interval, InterventionQueue& queue) {
     const Row row = space.entities.find(perch.number);
     const double before = *space.property(row, kCharge);
@@ -87,7 +87,7 @@ class Charging final : public Rule {
     }
     const Row occupant = perch.is_empty ? kNoRow : occupantOf(space, perch, row);
     if (perch.occupant != kNoEntity &&
-        (occupant == kNoRow || space.entities.number[occupant] != perch.occupant)) {  // it may be no more
+        (occupant == kNoRow || space.entities.number[occupant] != perch.occupant)) {  // it may have been deleted
       release(space, perch, queue);
     }
     if (occupant != kNoRow) {
@@ -99,9 +99,9 @@ class Charging final : public Rule {
     signal(space, perch, row, queue);
   }
 
-  /// @return what the perch holds then [J]
+  /// Subtracts the energy given to the occupant. @return remaining charge of the perch [J]
   double pay(const Space& space, const Perch& perch, double charge) {
-    constexpr double kNothing = 1e-9;  // J: what rounding leaves
+    constexpr double kNothing = 1e-9;  // J: rounding error
     const Row robot = space.entities.find(perch.occupant);
     if (robot == kNoRow) {
       return charge;
@@ -116,7 +116,7 @@ class Charging final : public Rule {
     return model.properties[static_cast<std::size_t>(model.findProperty(kCharge))].range;
   }
 
-  /// The robot that the perch charges already, while that stays; else the first that no other one charges.
+  /// The robot that the perch already charges, while it stays within reach; else the first that no other perch charges.
   Row occupantOf(const Space& space, const Perch& perch, Row row) const {
     Row first = kNoRow;
     for (const Batteries::Robot& robot : batteries_.all()) {
@@ -134,7 +134,7 @@ class Charging final : public Rule {
     return first;
   }
 
-  /// What is ferromagnetic charges those that hold on to it, such as eyebots under the ceiling.
+  /// Ferromagnetic perches charge robots that hold on to them, such as eyebots under the ceiling.
   bool isWithinReach(const Space& space, Row perch, Row robot) const {
     if (space.entities.model[perch]->is_ferromagnetic) {
       bool holds = false;
@@ -155,10 +155,10 @@ class Charging final : public Rule {
     }
   }
 
-  double power_ = 0.0;     // W, that a perch gives
+  double power_ = 0.0;     // W, given by a perch
   double reach_ = 0.0;     // m
   double interval_ = 1.0;  // s
-  double ready_ = 0.0;     // J, with which a perch gives again that was empty
+  double ready_ = 0.0;     // J, charge at which an empty perch gives again
   Color free_color_;
   Color taken_color_;
   Color empty_color_;

@@ -1,5 +1,5 @@
-// Contacts: how many robots touch each other, and what stands in the arena; how often, and for how long. By where
-// bodies are, whichever engine moves them.
+// Contacts: how many robots touch each other and arena objects; how often, and for how long. Contacts follow from the
+// poses of bodies, independent of the engines that move them.
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -65,7 +65,8 @@ class ContactCount final : public MeasuringRule {
     sum(space);
   }
 
-  /// What no joint can leave, seen from above [m]; less than 0 for what has no body.
+  /// Radius around the origin that contains the entity in any position of its joints, seen from above [m]; negative
+  /// without shapes.
   static double reachOf(const EntityModel& model) {
     if (model.shapes.empty()) {
       return -1.0;
@@ -73,7 +74,7 @@ class ContactCount final : public MeasuringRule {
     return model.joints_keep_outline ? model.horizontal_radius : model.moving_reach;
   }
 
-  /// The farthest apart that origins of two may be that touch, among those that are not large.
+  /// Updates the maximum distance of the origins of two touching entities that are not large.
   void measureReaches(const Space& space) {
     double of_robots = 0.0;
     double of_all = 0.0;
@@ -94,7 +95,8 @@ class ContactCount final : public MeasuringRule {
                            [&](Row one, Row other, double) { judge(one, other); });
   }
 
-  /// From each of the few that are large, such as walls, along the outlines of the index, which lie side by side.
+  /// Compares each of the few large entities, such as walls, with all outlines of the index, which are contiguous in
+  /// memory.
   template <class Judge>
   void judgeLarge(const Space& space, Judge judge) const {
     const std::vector<PositionalIndex::LargeOutline>& large = space.index.large();
@@ -144,7 +146,7 @@ class ContactCount final : public MeasuringRule {
     });
   }
 
-  /// One holds the other: that is no collision.
+  /// Whether one holds the other, which is not a collision.
   static bool areConnected(const Space& space, Row one, Row other) {
     bool is_held = space.structure.grippedBy(one) == other || space.structure.grippedBy(other) == one;
     if (!space.attachments.isEmpty()) {
@@ -170,7 +172,7 @@ class ContactCount final : public MeasuringRule {
 
   double gap_ = 0.0;           // m
   double farthest_ = 0.0;      // m
-  std::vector<Robot> robots_;  // by entity number, as the group has them
+  std::vector<Robot> robots_;  // by entity number, in the order of the group
   Population population_;
   bool has_begun_ = false;
   std::vector<Footprint> of_one_;

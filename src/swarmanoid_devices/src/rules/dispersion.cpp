@@ -1,5 +1,5 @@
-// Dispersion: how far apart robots are, to judge those that should come together. Both measures are those of Gauci,
-// Chen, Li, Dodd and Gross, "Self-organized aggregation without computation" (2014): it changes nothing.
+// Dispersion: how far apart robots are, to judge aggregation. Both measures are those of Gauci, Chen, Li, Dodd and
+// Gross, "Self-organized aggregation without computation" (2014). The rule only measures.
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -32,9 +32,9 @@ class Dispersion final : public Rule {
 
   void afterTick(const Space& space, InterventionQueue&) override {
     group_.look(space);
-    const Eigen::Vector2d centroid = group_.centroid(space).value_or(Eigen::Vector2d::Zero());  // of nobody: not used
+    const Eigen::Vector2d centroid = group_.centroid(space).value_or(Eigen::Vector2d::Zero());  // unused without robots
     places_.clear();
-    places_.reserve(space.entities.order.size());  // robots may have come since the run began
+    places_.reserve(space.entities.order.size());  // robots may have been added since the run began
     double sum = 0.0;
     for (const Row row : group_.rows()) {
       const Eigen::Vector2d position = space.entities.pose[row].position.head<2>();
@@ -47,11 +47,11 @@ class Dispersion final : public Rule {
   }
 
  private:
-  /// Of a robot; clusters are trees of such places, each named by its root.
+  /// Position of a robot. Clusters are trees of such places, each identified by its root.
   struct Place {
     Eigen::Vector2d position;
-    std::size_t parent = 0;   // this place's own, if it is a root
-    std::size_t members = 0;  // of a root's cluster
+    std::size_t parent = 0;   // index of the parent; its own index for a root
+    std::size_t members = 0;  // size of a root's cluster
   };
 
   std::size_t rootOf(std::size_t place) {
@@ -62,10 +62,10 @@ class Dispersion final : public Rule {
     return place;
   }
 
-  /// Two robots are of one cluster if no third one fits between them, or if a chain of such pairs connects them.
+  /// Two robots are in one cluster if no third one fits between them, or if a chain of such pairs connects them.
   std::size_t largestCluster() {
     const double reach = 4.0 * radius_;
-    // places of equal x may come in any order: it changes which root names a cluster, and not how large it is
+    // the order of places with equal x only changes which root identifies a cluster, not its size
     std::sort(places_.begin(), places_.end(),
               [](const Place& a, const Place& b) { return a.position.x() < b.position.x(); });
     for (std::size_t i = 0; i < places_.size(); ++i) {

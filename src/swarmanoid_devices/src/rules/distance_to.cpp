@@ -1,4 +1,4 @@
-// Distance: how far robots are from a place, from a line, or from the nearest entity of a kind.
+// Distance: of robots from a position, from a line, or from the nearest entity of a type.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,7 +12,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-/// A straight stretch between two places, which may be one and the same.
+/// A line segment; both ends may be equal.
 struct Line {
   Eigen::Vector2d start;  // m
   Eigen::Vector2d end;    // m
@@ -47,7 +47,7 @@ class DistanceTo final : public MeasuringRule {
     greatest_ = &addMetric("greatest", "m", "Of the robot that is farthest.");
   }
 
-  /// @return nothing if it is a word
+  /// @return nothing if the text is a word
   std::optional<Line> readLine() const {
     const bool is_word = !to_.empty() && std::isalpha(static_cast<unsigned char>(to_.front())) != 0;
     if (is_word) {
@@ -74,7 +74,7 @@ class DistanceTo final : public MeasuringRule {
     nearest_ = NearestOfKind(entry->description.label);
   }
 
-  /// Without anybody to measure all stays as it is.
+  /// Without a robot or a target the metrics keep their values.
   void measure(const Space& space, bool) override {
     if (!line_) {
       set(nearest_.look(space, group()));
@@ -110,8 +110,8 @@ class DistanceTo final : public MeasuringRule {
 
   std::string to_;
   SourceLocation location_;
-  std::optional<Line> line_;  // a place is one without length
-  NearestOfKind nearest_;     // where it is no line
+  std::optional<Line> line_;  // a position is a line of length 0
+  NearestOfKind nearest_;     // used without a line
   std::vector<double> squares_;
   Metric* mean_ = nullptr;
   Metric* least_ = nullptr;

@@ -1,4 +1,4 @@
-// Energy: what robots use, by the law of batteries, whether they run on one or not.
+// Energy: consumption of robots by the battery model, with or without a battery.
 #include <vector>
 
 #include "enlist.hpp"
@@ -21,7 +21,7 @@ class EnergyUse final : public MeasuringRule {
  private:
   struct Robot {
     EntityNumber number = kNoEntity;
-    double used = 0.0;  // J, of its battery, at the last measurement
+    double used = 0.0;  // J, energy used from its battery until the last measurement
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     bool is_known = false;
   };
@@ -54,7 +54,7 @@ class EnergyUse final : public MeasuringRule {
     per_metre_->value = way_ > 0.0 ? used_->value / way_ : 0.0;
   }
 
-  /// @return what the robot draws [W]
+  /// Adds the consumption of a robot since the last measurement. @return its power [W]
   double account(const Space& space, Row row, double time, Robot& robot) {
     const Eigen::Vector2d position = space.entities.pose[row].position.head<2>();
     if (robot.is_known) {
@@ -77,7 +77,7 @@ class EnergyUse final : public MeasuringRule {
     return power;
   }
 
-  /// Most robots are as the one before them: then it is known.
+  /// Standby power [W]; cached, since most robots have the model and controller of the previous one.
   double standbyOf(const Space& space, Row row) {
     const EntityModel* model = space.entities.model[row].get();
     const ControllerDescription* controller = space.controllers[row].description;
@@ -89,12 +89,12 @@ class EnergyUse final : public MeasuringRule {
     return standby_;
   }
 
-  std::vector<Robot> robots_;  // by entity number, as the group has them
-  double way_ = 0.0;           // m, of all robots
+  std::vector<Robot> robots_;  // by entity number, in the order of the group
+  double way_ = 0.0;           // m, path length of all robots
   bool has_begun_ = false;
-  const EntityModel* model_ = nullptr;                 // of the last robot that was asked for its standby, with
-  const ControllerDescription* controller_ = nullptr;  // its controller,
-  double standby_ = 0.0;                               // W, and what it is
+  const EntityModel* model_ = nullptr;                 // key of standby_
+  const ControllerDescription* controller_ = nullptr;  // key of standby_
+  double standby_ = 0.0;                               // W, cached standby power
   Metric* used_ = nullptr;
   Metric* power_ = nullptr;
   Metric* per_metre_ = nullptr;

@@ -1,4 +1,4 @@
-/// The lists in which rules keep something of entities, each record with the `number` of its entity.
+/// Lists of records that rules keep of entities, each with the `number` of its entity.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace swarmanoid::devices {
 
-/// Forgets who is no more, and takes up who is new, with a record's defaults. Numbers only grow, so the list stays
-/// sorted by them.
-/// @param rows to take up from, by entity number @param is_meant whether a row belongs on the list
+/// Removes deleted entities and adds new ones, with a record's defaults. Numbers only grow, so the list stays sorted by
+/// them.
+/// @param rows candidates to add, by entity number @param is_meant whether a row belongs on the list
 template <class Record, class IsMeant>
 void enlist(const Space& space, const std::vector<Row>& rows, IsMeant is_meant, std::vector<Record>& list) {
   const Entities& entities = space.entities;

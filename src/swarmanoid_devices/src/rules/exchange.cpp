@@ -1,6 +1,6 @@
 // Exchange stations swap the batteries of robots that stand in them: the old one out, a charged one in, while the
-// robot's super-capacitor keeps it alive. All batteries are properties of stations and robots, so none is lost but by
-// deleting a robot or a station.
+// robot's super-capacitor keeps it alive. All batteries are properties of stations and robots, so a battery is lost
+// only if a robot or a station is deleted.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -13,8 +13,8 @@
 namespace swarmanoid::devices {
 namespace {
 
-constexpr const char* kArm = "arm";                 // J, of the battery that is on its way into a robot
-constexpr const char* kFirstBattery = "battery_1";  // J, of those that wait in the station
+constexpr const char* kArm = "arm";                 // J, charge of the battery on its way into a robot
+constexpr const char* kFirstBattery = "battery_1";  // J, charge of a battery that waits in the station
 
 class Exchange final : public Rule {
  public:
@@ -29,7 +29,7 @@ class Exchange final : public Rule {
   void beforeTick(const Space& space, InterventionQueue& queue) override {
     batteries_.enlist(space);
     enlistStations(space);
-    // what is asked for is done after this call: until then the properties of whose battery has moved are the old ones
+    // requests take effect after this call; until then the properties of entities whose battery has moved are stale
     bool has_moved = false;
     for (Station& station : stations_) {
       if (station.occupant != kNoEntity) {
@@ -50,7 +50,7 @@ class Exchange final : public Rule {
   }
 
   void afterTick(const Space& space, InterventionQueue&) override {
-    batteries_.enlist(space);  // rules that come later may have deleted some
+    batteries_.enlist(space);  // later rules may have deleted some
     batteries_.measure(space);
     swapping_->value = static_cast<double>(std::count_if(
         stations_.begin(), stations_.end(), [](const Station& station) { return station.occupant != kNoEntity; }));
@@ -59,10 +59,10 @@ class Exchange final : public Rule {
  private:
   struct Station {
     EntityNumber number = kNoEntity;
-    EntityNumber occupant = kNoEntity;  // whose battery is being swapped
-    std::string slot;                   // the property of the place that its battery has gone to
-    double time = 0.0;                  // s, for which the swap has gone on
-    double uncharged = 0.0;             // s, since its batteries were charged last
+    EntityNumber occupant = kNoEntity;  // robot whose battery is being swapped
+    std::string slot;                   // property of the slot that its battery has gone to
+    double time = 0.0;                  // s, time of the swap with the robot within reach
+    double uncharged = 0.0;             // s, since its batteries were last charged
   };
 
   static constexpr double kRounding = 1e-9;  // s
@@ -81,7 +81,7 @@ class Exchange final : public Rule {
     queue.ask(SetProperty{space.entities.name[row], property, numberText(value)});
   }
 
-  /// The fullest that is not full first, so that one is ready soon.
+  /// Charges the batteries in the station, first the fullest that is not full, so that one is ready soon.
   void recharge(const Space& space, Row row, double elapsed, InterventionQueue& queue) {
     const EntityModel& model = *space.entities.model[row];
     double left = space.property(row, kSupply).value_or(0.0) * elapsed;
@@ -105,10 +105,11 @@ class Exchange final : public Rule {
     }
   }
 
-  /// The battery of the first robot that needs another one goes into the place of that. @return whether there is one
+  /// Starts a swap for the first robot that needs one: its battery goes into the slot of the replacement.
+  /// @return whether a swap has started
   bool startSwap(const Space& space, Station& station, Row row, InterventionQueue& queue) {
     if (*space.property(row, kArm) > 0.0) {
-      return false;  // that battery would be lost
+      return false;  // the battery on the arm would be lost
     }
     for (const Batteries::Robot& robot : batteries_.all()) {
       const Row candidate = space.entities.find(robot.number);
@@ -132,7 +133,7 @@ class Exchange final : public Rule {
     return false;
   }
 
-  /// The fullest battery that the robot can take, if it is charged enough; -1: none.
+  /// The slot with the fullest battery that is ready and fits the robot; -1: none.
   int slotFor(const Space& space, Row row, double charge, double capacity) const {
     const EntityModel& model = *space.entities.model[row];
     int best = -1;
@@ -149,7 +150,8 @@ class Exchange final : public Rule {
     return best;
   }
 
-  /// The battery of the arm into the robot; back into its place if the robot is no more. @return whether one has moved
+  /// Continues a swap: the battery on the arm goes into the robot, or back into its slot if the robot was deleted.
+  /// @return whether a battery has moved
   bool goOn(const Space& space, Station& station, Row row, InterventionQueue& queue) {
     const Row robot = space.entities.find(station.occupant);
     const double charge = *space.property(row, kArm);
@@ -166,7 +168,7 @@ class Exchange final : public Rule {
     if (station.time < swap_time_ - kRounding) {
       return false;
     }
-    // what services have put on the arm may be more than the robot can take
+    // services may have set a charge on the arm above the robot's capacity
     const double taken = std::min(charge, space.entities.model[robot]->battery->capacity);
     set(space, robot, kCharge, taken, queue);
     set(space, row, kArm, 0.0, queue);
@@ -192,7 +194,7 @@ class Exchange final : public Rule {
 
   double reach_ = 0.0;      // m
   double below_ = 0.0;      // part of the capacity
-  double ready_ = 0.0;      // likewise
+  double ready_ = 0.0;      // part of the capacity
   double swap_time_ = 0.0;  // s
   double interval_ = 0.0;   // s
   Metric* swaps_ = nullptr;

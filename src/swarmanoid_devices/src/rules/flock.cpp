@@ -1,5 +1,5 @@
-// A flock: how well robots drive in one direction, and whether they stay together, to judge what they make of each
-// other's headings.
+// A flock: how well the headings of robots agree, and whether robots stay together, to judge controllers that align
+// with the headings of others.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -45,7 +45,7 @@ class Flock final : public Rule {
   }
 
  private:
-  /// Order and spread; 0 without robots.
+  /// Sets order and spread; 0 without robots.
   void measure(const Space& space, const std::optional<Eigen::Vector2d>& centre) {
     Eigen::Vector2d headings = Eigen::Vector2d::Zero();
     double distances = 0.0;
@@ -59,12 +59,12 @@ class Flock final : public Rule {
     spread_->value = share * distances;
   }
 
-  /// The way of the centre, in a tick that counts.
+  /// Updates the speed of the centre, in a tick that counts.
   void follow(const Space& space, const Eigen::Vector2d& centre, bool is_changed) {
     if (ticks_ == 1) {
       first_ = space.time;
       first_centre_ = centre;
-    } else if (is_changed) {  // what comes and goes moves the centre: neither that nor the time in which it did counts
+    } else if (is_changed) {  // arrivals and departures shift the centre: neither shift nor tick count
       first_ += space.time - last_;
       first_centre_ += centre - last_centre_;
     } else {
@@ -76,11 +76,11 @@ class Flock final : public Rule {
 
   RobotGroup group_;
   double settling_ = 0.0;                                   // s
-  std::uint64_t ticks_ = 0;                                 // that count so far
-  Time first_ = kEpoch;                                     // the time of the first of them, and
-  Eigen::Vector2d first_centre_ = Eigen::Vector2d::Zero();  // m: where the centre was then, less what does not count
-  Time last_ = kEpoch;                                      // the time of the last of them, and
-  Eigen::Vector2d last_centre_ = Eigen::Vector2d::Zero();   // m: where the centre was then
+  std::uint64_t ticks_ = 0;                                 // number of ticks that count so far
+  Time first_ = kEpoch;                                     // time of the first of them
+  Eigen::Vector2d first_centre_ = Eigen::Vector2d::Zero();  // m: centre at that time, corrected for shifts
+  Time last_ = kEpoch;                                      // time of the last of them
+  Eigen::Vector2d last_centre_ = Eigen::Vector2d::Zero();   // m: centre at that time
   Metric* order_ = nullptr;
   Metric* mean_order_ = nullptr;
   Metric* spread_ = nullptr;

@@ -1,4 +1,4 @@
-/// Finding the floor patch that a rule's parameter names.
+/// Lookup of the floor patch that a rule's parameter names.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace swarmanoid::devices {
 
-/// @return its place among the floor's patches @throws ConfigError that names the parameter if there is none
+/// @return its index among the floor's patches @throws ConfigError with the parameter's name if there is none
 inline std::size_t requireFloorPatch(const Space& space, const std::string& parameter, const std::string& id,
                                      const SourceLocation& location) {
   const std::vector<FloorPatch>& patches = space.floor.patches;

@@ -1,5 +1,4 @@
-/// What bodies cover of the ground, and between which heights: to judge whether they touch, whichever engines they are
-/// in.
+/// Footprints of bodies on the ground, with their height ranges, to detect contacts independently of the engines.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +12,15 @@ namespace swarmanoid::devices {
 /// A rectangle with a margin around it, seen from above, in W. A disc is a point with a margin.
 struct Footprint {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  // m
-  Eigen::Vector2d along = Eigen::Vector2d::UnitX();  // of the rectangle's first side, of length 1
-  Eigen::Vector2d half = Eigen::Vector2d::Zero();    // of its sides [m]
+  Eigen::Vector2d along = Eigen::Vector2d::UnitX();  // direction of the first side, of length 1
+  Eigen::Vector2d half = Eigen::Vector2d::Zero();    // half lengths of the sides [m]
   double margin = 0.0;                               // m
   double low = 0.0;                                  // m
   double high = 0.0;                                 // m
 };
 
-/// Spheres, and cylinders up to 30 degrees from upright, are discs. All else is the upright box around it that heads as
-/// it does.
+/// Spheres, and cylinders up to 30 degrees from upright, are discs. Other shapes are replaced by their upright bounding
+/// box with the same heading.
 inline Footprint footprintOf(const CollisionShape& shape, const Pose& pose) {
   const Eigen::Vector3d centre = pose.toWorld(shape.position);
   const Eigen::Matrix3d turn = (pose.orientation * shape.orientation).toRotationMatrix();
@@ -34,7 +33,7 @@ inline Footprint footprintOf(const CollisionShape& shape, const Pose& pose) {
     print.margin = shape.half_extent.x();
     half_height = is_sphere ? shape.half_extent.x() : half_height;
   } else {
-    const int axis = turn.row(2).head<2>().cwiseAbs().x() < 0.9 ? 0 : 1;  // whichever is not upright
+    const int axis = turn.row(2).head<2>().cwiseAbs().x() < 0.9 ? 0 : 1;  // an axis that is not vertical
     print.along = turn.col(axis).head<2>().normalized();
     const Eigen::Vector2d across(-print.along.y(), print.along.x());
     print.half.x() = (print.along.transpose() * turn.topRows<2>()).cwiseAbs() * shape.half_extent;
@@ -46,7 +45,7 @@ inline Footprint footprintOf(const CollisionShape& shape, const Pose& pose) {
   return print;
 }
 
-/// Of all shapes of an entity, where its joints have turned them. @param prints is emptied first
+/// Footprints of all shapes of an entity, at the current angles of its joints. @param prints is cleared first
 inline void footprintsOf(const Space& space, Row row, std::vector<Footprint>& prints) {
   const EntityModel& model = *space.entities.model[row];
   prints.clear();
@@ -57,7 +56,7 @@ inline void footprintsOf(const Space& space, Row row, std::vector<Footprint>& pr
   }
 }
 
-/// From a point to the rectangle, 0 within it [m].
+/// Distance from a point to the rectangle without margin; 0 inside it [m].
 inline double distanceFrom(const Eigen::Vector2d& point, const Footprint& rectangle) {
   const Eigen::Vector2d off = point - rectangle.centre;
   const Eigen::Vector2d across(-rectangle.along.y(), rectangle.along.x());
@@ -65,7 +64,7 @@ inline double distanceFrom(const Eigen::Vector2d& point, const Footprint& rectan
   return (in_frame - rectangle.half).cwiseMax(0.0).norm();
 }
 
-/// How far the corners of one rectangle are from the other one at least [m].
+/// Least distance of the corners of one rectangle from the other rectangle [m].
 inline double distanceOfCorners(const Footprint& one, const Footprint& other) {
   const Eigen::Vector2d along = one.half.x() * one.along;
   const Eigen::Vector2d across = one.half.y() * Eigen::Vector2d(-one.along.y(), one.along.x());
@@ -75,7 +74,7 @@ inline double distanceOfCorners(const Footprint& one, const Footprint& other) {
   return std::min(least, distanceFrom(one.centre - along - across, other));
 }
 
-/// Whether a side of `one` lies between the rectangles: if none of either does, they overlap.
+/// Whether a side of `one` separates the rectangles. They overlap if no side of either does.
 inline bool isSeparatedBySideOf(const Footprint& one, const Footprint& other) {
   const Eigen::Vector2d off = other.centre - one.centre;
   for (int side = 0; side < 2; ++side) {
@@ -90,7 +89,7 @@ inline bool isSeparatedBySideOf(const Footprint& one, const Footprint& other) {
   return false;
 }
 
-/// Between two, seen from above; 0 or less where they overlap [m].
+/// Horizontal gap between two footprints; 0 or less if they overlap [m].
 inline double gapBetween(const Footprint& one, const Footprint& other) {
   double between = 0.0;
   if (isSeparatedBySideOf(one, other) || isSeparatedBySideOf(other, one)) {
@@ -99,9 +98,9 @@ inline double gapBetween(const Footprint& one, const Footprint& other) {
   return between - one.margin - other.margin;
 }
 
-/// Whether two bodies touch: beside each other, at heights that both have. What stands on something does not touch it.
+/// Whether two bodies touch sideways, at a common height. A body does not touch its support.
 inline bool areTouching(const Footprint& one, const Footprint& other, double gap) {
-  constexpr double kOnTop = 0.001;  // m, by which bodies sink into what they stand on
+  constexpr double kOnTop = 0.001;  // m, penetration of a body into its support
   return std::min(one.high, other.high) - std::max(one.low, other.low) > kOnTop && gapBetween(one, other) <= gap;
 }
 

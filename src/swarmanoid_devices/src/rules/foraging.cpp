@@ -1,6 +1,6 @@
-// Foraging: what robots bring into the nest is counted, and lies elsewhere in the next tick, so there is always
-// something to be found. It acts between ticks and on the space alone, whichever engine moves a prey and whoever holds
-// it.
+// Foraging: counts the preys that robots bring into the nest, and moves each elsewhere in the next tick, so that preys
+// never run out. It acts between ticks and only on the space, independent of the engine that moves a prey and of the
+// robots that hold it.
 #include <algorithm>
 #include <vector>
 
@@ -86,10 +86,10 @@ class Foraging final : public Rule {
   std::optional<bool> success() const override { return tally_.success(); }
 
  private:
-  /// A prey that was counted, and for which there was no free place yet.
+  /// A counted prey that has not been moved yet, since no free place was found.
   struct Waiting {
     EntityNumber number = kNoEntity;
-    std::uint64_t since = 0;  ///< the tick that was to come
+    std::uint64_t since = 0;  ///< Space::tick when it was counted
   };
 
   /// A robot on a battery.
@@ -98,7 +98,7 @@ class Foraging final : public Rule {
     double used = 0.0;  // J, at the end of the last tick
   };
 
-  /// What robots that were deleted have used counts on, as what they have brought does.
+  /// The energy used by deleted robots still counts, like the preys that they brought.
   double perKilojoule(const Space& space) {
     constexpr double kKilojoule = 1000.0;  // J
     for (const Robot& robot : robots_) {
@@ -120,7 +120,7 @@ class Foraging final : public Rule {
                        [number](const Waiting& waiting) { return waiting.number == number; });
   }
 
-  /// Or that are no more.
+  /// Removes preys that have been moved or deleted.
   void forgetThoseThatAreBack(const Space& space) {
     const auto isBack = [&space](const Waiting& waiting) {
       const Row row = space.entities.find(waiting.number);
@@ -129,9 +129,9 @@ class Foraging final : public Rule {
     waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), isBack), waiting_.end());
   }
 
-  /// What may be in the way there, the world finds out; a refusal is followed by the next trial, after the next tick.
+  /// The world refuses occupied places; the rule then tries again after the next tick.
   void tryToPutElsewhere(const std::string& prey, const FloorPatch& nest, InterventionQueue& queue) {
-    Pose pose;  // upright, whatever it was like in the gripper
+    Pose pose;  // upright, whatever its pose in the gripper
     for (int axis = 0; axis < 3; ++axis) {
       pose.position[axis] = random().uniform(minimum_[axis], maximum_[axis]);
     }
@@ -150,7 +150,7 @@ class Foraging final : public Rule {
   const Metric* preys_ = nullptr;
   Metric* per_kilojoule_ = nullptr;
   std::vector<Waiting> waiting_;
-  std::vector<Robot> robots_;     // by number
+  std::vector<Robot> robots_;     // by entity number
   double used_by_deleted_ = 0.0;  // J, in this run
 };
 

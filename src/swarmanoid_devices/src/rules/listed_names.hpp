@@ -1,4 +1,4 @@
-/// Names that a rule's parameter lists.
+/// Parsing of parameters that list names.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace swarmanoid::devices {
 
 /// @param text names separated by commas
-/// @return them without white space around them; none of an empty text
+/// @return the names without surrounding white space; empty for an empty text
 inline std::vector<std::string> listedNames(const std::string& text) {
   std::vector<std::string> names;
   for (std::size_t start = 0; !text.empty() && start <= text.size();) {

@@ -1,9 +1,9 @@
-/// The base class of rules that only measure: they ask for nothing, so a run is the same with them and without.
+/// The base class of rules that only measure: they do not change the run.
 ///
-/// When    as the run begins, so that tick 0 has values, then after each tick whose number is a multiple of `every`.
-///         In between, and at the end, metrics keep the values of the last such tick.
-/// Who     the robots whose names begin as `robots` says.
-/// Errors  `read` refuses what is wrong in itself, `start` what is wrong with this world.
+/// When    when the run begins, so that tick 0 has values, then after each tick whose number is a multiple of `every`.
+///         In between, and at the end, metrics keep the values of the last measurement.
+/// Who     the robots whose names begin with `robots`.
+/// Errors  `read` refuses invalid parameters, `start` parameters that do not fit this world.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ class MeasuringRule : public Rule {
   }
 
  protected:
-  /// The table of such a rule: what all of them have, around its own.
+  /// Parameters of such a rule: the common ones around its own.
   static std::vector<Parameter> withParameters(std::vector<Parameter> own) {
     own.insert(own.begin(), RobotGroup::parameter());
     own.push_back(makeParameter("every", Parameter::Type::kInteger, "ticks", "1", {1.0, 1e9},
@@ -44,17 +44,17 @@ class MeasuringRule : public Rule {
     return own;
   }
 
-  /// In `configure`: values of its own, and metrics. @throws ConfigError
+  /// In `configure`: reads the rule's own parameters, and adds its metrics. @throws ConfigError
   virtual void read(const Configuration& parameters) = 0;
-  /// The run begins: all that the rule keeps starts anew. @throws ConfigError
+  /// Called when the run begins: resets the state of the rule. @throws ConfigError
   virtual void start(const Space&) {}
-  /// Sets the metrics, as the world is now.
-  /// @param is_changed other robots are there than at the last measurement, or it is the first one with robots
+  /// Sets the metrics from the current state of the world.
+  /// @param is_changed robots were added or deleted since the last measurement, or this is the first one with robots
   virtual void measure(const Space& space, bool is_changed) = 0;
 
-  /// As they are in this measurement.
+  /// The robots in this measurement.
   const RobotGroup& group() const { return group_; }
-  /// From one measurement to the next.
+  /// Ticks from one measurement to the next.
   std::uint64_t every() const { return every_; }
 
  private:

@@ -1,4 +1,4 @@
-/// Finding the entity that a rule's parameter names.
+/// Lookup of the entity that a rule's parameter names.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace swarmanoid::devices {
 
-/// @return its row @throws ConfigError that names the parameter if there is none
+/// @return its row @throws ConfigError with the parameter's name if there is none
 inline Row requireEntity(const Space& space, const std::string& parameter, const std::string& id,
                          const SourceLocation& location) {
   const Row found = space.entities.find(id);

@@ -1,4 +1,4 @@
-/// How far robots are from the nearest entity of a kind, other than themselves, seen from above.
+/// Horizontal distance of robots from the nearest other entity of a type.
 #pragma once
 
 #include <algorithm>
@@ -12,21 +12,21 @@
 
 namespace swarmanoid::devices {
 
-/// Phase `rule`, one thread. Allocates only while there are more entities than ever before.
+/// Phase `rule`, one thread. Allocates only when the number of entities reaches a new maximum.
 class NearestOfKind {
  public:
   NearestOfKind() = default;
-  /// @param kind the tag in <arena>, no alias
+  /// @param kind the tag in <arena>, not an alias
   explicit NearestOfKind(std::string kind) : kind_(std::move(kind)) {}
 
-  /// @param group has looked at the space as it is now
-  /// @return the squared distance [m2] of each robot of the group, in its order; infinity where there is no other
+  /// @pre group.look was called for the current state of the space
+  /// @return the squared distance [m2] of each robot of the group, in its order; infinity without another target
   const std::vector<double>& look(const Space& space, const RobotGroup& group) {
     if (population_.hasChanged(space)) {
       enlistTargets(space);
     }
     squares_.assign(group.rows().size(), kInfinity);
-    constexpr std::size_t kFew = 16;  // of which a look at each is as fast
+    constexpr std::size_t kFew = 16;  // up to this number, checking each is as fast
     if (targets_.size() > kFew) {
       askTheIndex(space, group);
     }
@@ -56,9 +56,9 @@ class NearestOfKind {
     }
   }
 
-  /// All at once, of pairs that are as near as most were at the last look.
+  /// Searches for all robots at once, among the pairs within reach_, which suffices for most robots.
   void askTheIndex(const Space& space, const RobotGroup& group) {
-    constexpr std::size_t kShare = 8;  // fewer than one in so many look around themselves faster
+    constexpr std::size_t kShare = 8;  // below one robot in so many entities, lookAround is faster
     if (group.rows().size() * kShare < space.entities.size()) {
       return;
     }
@@ -78,7 +78,7 @@ class NearestOfKind {
     });
   }
 
-  /// In circles that grow. What is beyond the arena's diagonal may be anywhere.
+  /// Searches in growing circles. Beyond the arena's diagonal it checks all targets, which may be anywhere.
   double lookAround(const Space& space, Row robot) const {
     const Eigen::Vector2d centre = space.entities.pose[robot].position.head<2>();
     const double farthest = space.size.head<2>().norm();
@@ -89,7 +89,7 @@ class NearestOfKind {
           nearest = std::min(nearest, (space.entities.pose[row].position.head<2>() - centre).squaredNorm());
         }
       });
-      if (nearest <= radius * radius) {  // else another one, whose outline is farther, may be nearer
+      if (nearest <= radius * radius) {  // else a target that was not visited may be nearer
         return nearest;
       }
     }
@@ -107,10 +107,10 @@ class NearestOfKind {
     return nearest;
   }
 
-  /// The next look begins with twice the mean of this one: in it most find the nearest, and few anybody else. What is
-  /// found does not depend on it.
+  /// Sets the next search distance to twice the mean of this one, at which most robots find a target among few
+  /// entities. Results do not depend on it.
   void expectAsBefore() {
-    constexpr double kLeast = 0.01;  // m: so that circles grow
+    constexpr double kLeast = 0.01;  // m: circles must grow
     double sum = 0.0;
     double count = 0.0;
     for (const double square : squares_) {
@@ -123,7 +123,7 @@ class NearestOfKind {
   std::string kind_;
   Population population_;
   std::vector<Row> targets_;  // by entity number
-  RowMap<char> is_target_;    // 1: it is one of them
+  RowMap<char> is_target_;    // 1: the row is a target
   std::vector<double> squares_;
   double reach_ = 0.0;  // m
 };

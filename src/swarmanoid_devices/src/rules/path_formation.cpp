@@ -1,4 +1,4 @@
-// A path of robots: whether those that shine lead from one entity to another, each in reach of the next.
+// A path of robots: whether robots with lit LEDs connect one entity to another, each within reach of the next.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -50,7 +50,7 @@ class PathFormation final : public Rule {
     const Row nest = space.entities.find(ids_[0]);
     const Row prey = space.entities.find(ids_[1]);
     for (std::vector<Row>* rows : {&unreached_, &front_, &next_front_}) {
-      rows->reserve(space.entities.order.size());  // once, while nobody comes in
+      rows->reserve(space.entities.order.size());  // allocates only when the number of entities grows
     }
     unreached_.clear();
     for (const Row row : space.entities.order) {
@@ -76,7 +76,7 @@ class PathFormation final : public Rule {
     return way.head<2>().norm() <= reach_;
   }
 
-  /// From the nest outwards, one link farther in each turn. @return robots in the shortest path, or 0
+  /// Breadth-first search from the nest, one link in each pass. @return robots in the shortest path, or 0
   double measure(const Space& space, Row nest, Row prey) {
     front_.assign(1, nest);
     for (double length = 1.0; !front_.empty(); length += 1.0) {
@@ -105,8 +105,8 @@ class PathFormation final : public Rule {
   bool ends_ = true;
   bool is_formed_ = false;  // since the run began
   SourceLocation location_;
-  std::vector<Row> unreached_;  // those that shine and do not belong to a front yet
-  std::vector<Row> front_;      // those that as few robots lead to
+  std::vector<Row> unreached_;  // robots with lit LEDs that no front has reached
+  std::vector<Row> front_;      // robots at the current distance from the nest, in links
   std::vector<Row> next_front_;
   Metric* links_ = nullptr;
   Metric* length_ = nullptr;

@@ -1,4 +1,4 @@
-// What is in a region: how many robots or objects, and whether these are enough for a success.
+// Counts the robots or objects in a region, and judges whether they are enough for a success.
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// Clusters: into how many groups robots fall that are near each other, and how large these are.
+// Clusters: the number and sizes of groups of robots that are near each other.
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -31,7 +31,7 @@ class RobotClusters final : public MeasuringRule {
     largest_ = &addMetric("largest", "", "Robots in the largest cluster.");
   }
 
-  /// 0 without robots.
+  /// All metrics are 0 without robots.
   void measure(const Space& space, bool) override {
     parents_.resize(group().rows().size());
     members_.resize(group().rows().size());
@@ -51,7 +51,7 @@ class RobotClusters final : public MeasuringRule {
     }
   }
 
-  /// Clusters are trees of places, each named by its root, which is its own parent.
+  /// Clusters are trees of places, each identified by its root, which is its own parent.
   Place rootOf(Place place) {
     while (parents_[static_cast<std::size_t>(place)] != place) {
       Place& parent = parents_[static_cast<std::size_t>(place)];
@@ -76,7 +76,7 @@ class RobotClusters final : public MeasuringRule {
 
   double distance_ = 0.0;             // m
   std::vector<Place> parents_;        // by place in the group
-  std::vector<std::size_t> members_;  // of the cluster whose root is there
+  std::vector<std::size_t> members_;  // size of the cluster with that root
   Metric* number_ = nullptr;
   Metric* mean_size_ = nullptr;
   Metric* largest_ = nullptr;

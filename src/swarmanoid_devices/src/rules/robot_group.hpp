@@ -1,4 +1,4 @@
-/// The robots that a rule measures: those whose names begin alike.
+/// The robots that a rule measures, selected by a prefix of their names.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@
 
 namespace swarmanoid::devices {
 
-/// Phase `rule`, one thread; `look` says who is there until it is called again.
+/// Phase `rule`, one thread. The group is that of the last call of `look`.
 class RobotGroup {
  public:
   RobotGroup() = default;
@@ -26,9 +26,9 @@ class RobotGroup {
                          "What the names of those that count begin with; empty: all robots.");
   }
 
-  /// Once a tick. Allocates only while there are more entities than ever before; costs next to nothing while nobody
-  /// comes or goes.
-  /// @return whether others are there than at the last look: then the centroid jumps, which is no motion
+  /// Updates the group; called once a tick. Allocates only when the number of entities reaches a new maximum, and is
+  /// cheap while no entity is added or deleted.
+  /// @return whether the group differs from that of the last call: its centroid then jumps without motion
   bool look(const Space& space) {
     const Entities& entities = space.entities;
     if (!population_.hasChanged(space)) {
@@ -55,23 +55,23 @@ class RobotGroup {
     }
     return is_changed;
   }
-  /// For a run that begins: nobody has been seen yet.
+  /// Resets the group for a new run.
   void forget() {
     population_ = {};
     rows_.clear();
     numbers_.clear();
   }
 
-  /// By entity number, as of the last look.
+  /// Rows of the robots by entity number, as of the last call of `look`.
   const std::vector<Row>& rows() const { return rows_; }
 
-  /// Where a robot stands in `rows`; kNoPlace for who does not count.
+  /// Index of a robot in `rows`; kNoPlace for entities outside the group.
   using Place = std::int32_t;
   static constexpr Place kNoPlace = -1;
-  /// @pre the row is of an entity that there was at the last look
+  /// @pre the entity existed in the last call of `look`
   Place placeOf(Row row) const { return place_by_row_[row]; }
 
-  /// The mean of their positions in W, seen from above [m]. @return nothing if there are none
+  /// Mean of the robots' horizontal positions in W [m]. @return nothing without robots
   std::optional<Eigen::Vector2d> centroid(const Space& space) const {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (const Row row : rows_) {
@@ -85,7 +85,7 @@ class RobotGroup {
   Population population_;
   std::vector<Row> rows_;
   RowMap<Place> place_by_row_;
-  std::vector<EntityNumber> numbers_;  // which, unlike rows, are nobody else's later
+  std::vector<EntityNumber> numbers_;  // unlike rows, never reused
 };
 
 }  // namespace swarmanoid::devices

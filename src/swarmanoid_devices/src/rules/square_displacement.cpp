@@ -1,5 +1,5 @@
-// Mean square displacement: how far robots have come from where they began, the measure of random walks. By Einstein,
-// "On the movement of small particles suspended in stationary liquids" (1905), it grows as 4 D t in a plane.
+// Mean square displacement of robots from their starting points, the measure of random walks. By Einstein, "On the
+// movement of small particles suspended in stationary liquids" (1905), it grows as 4 D t in a plane.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -21,7 +21,7 @@ class SquareDisplacement final : public MeasuringRule {
   }
 
  private:
-  /// A robot, and where it was when it was measured first.
+  /// A robot, with the position and time of its first measurement.
   struct Beginning {
     EntityNumber number = kNoEntity;
     Eigen::Vector2d position = Eigen::Vector2d::Zero();  // m
@@ -38,7 +38,7 @@ class SquareDisplacement final : public MeasuringRule {
 
   void start(const Space&) override { beginnings_.clear(); }
 
-  /// 0 without robots.
+  /// All metrics are 0 without robots.
   void measure(const Space& space, bool is_changed) override {
     if (is_changed) {
       enlistThem(space);
@@ -58,7 +58,7 @@ class SquareDisplacement final : public MeasuringRule {
     diffusivity_->value = times > 0.0 ? squares / (4.0 * times) : 0.0;
   }
 
-  /// Who is new begins here. Afterwards the list has the order of the group.
+  /// Records the starting points of new robots. Afterwards the list has the order of the group.
   void enlistThem(const Space& space) {
     const auto is_meant = [](Row) { return true; };
     enlist(space, group().rows(), is_meant, beginnings_);

@@ -1,4 +1,4 @@
-// Times in states: for how long robots are in each of the states that their controllers say they are in.
+// Times in states: how long robots are in each of the states that their controllers report.
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -27,7 +27,7 @@ class StateTimes final : public MeasuringRule {
   struct State {
     std::string name;
     Metric* time;
-    std::size_t robots = 0;  // that are in it
+    std::size_t robots = 0;  // number of robots in it
   };
 
   void read(const Configuration& parameters) override {
@@ -55,7 +55,7 @@ class StateTimes final : public MeasuringRule {
   void measure(const Space& space, bool) override {
     if (!has_begun_) {
       has_begun_ = true;
-      return;  // no time has passed
+      return;  // no time has passed yet
     }
     const std::size_t robots = group().rows().size();
     std::size_t rest = robots;
@@ -77,7 +77,7 @@ class StateTimes final : public MeasuringRule {
     }
   }
 
-  /// @param robot null: it has no controller
+  /// @param robot null: without a controller
   State* stateOf(const Robot* robot) {
     if (robot == nullptr) {
       return nullptr;

@@ -1,4 +1,4 @@
-// The order of a swarm: whether robots head in one direction, and whether they head around their centre. After Couzin,
+// Order of a swarm: whether robots head in one direction, and whether they rotate around their centre. After Couzin,
 // Krause, James, Ruxton and Franks, "Collective memory and spatial sorting in animal groups" (2002).
 #include <cmath>
 
@@ -7,7 +7,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-/// @return a vector of length 1; none has none
+/// @return the vector scaled to length 1; zero for a zero vector
 Eigen::Vector2d directionOf(const Eigen::Vector2d& vector) {
   const double length = vector.norm();
   return length > 0.0 ? Eigen::Vector2d(vector / length) : Eigen::Vector2d(Eigen::Vector2d::Zero());
@@ -29,7 +29,7 @@ class SwarmOrder final : public MeasuringRule {
     angular_order_ = &addMetric("angular_order", "", "How far they head around their centroid, in the mean.");
   }
 
-  /// 0 without robots.
+  /// All metrics are 0 without robots.
   void measure(const Space& space, bool) override {
     const Eigen::Vector2d centroid = group().centroid(space).value_or(Eigen::Vector2d::Zero());
     Eigen::Vector2d headings = Eigen::Vector2d::Zero();

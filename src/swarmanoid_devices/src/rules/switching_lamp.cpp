@@ -1,5 +1,5 @@
-// A lamp that goes on and off by the clock, alone or in turn with another one. What is lit follows from the time of the
-// tick alone, so a lamp that somebody else has switched is put right before the next tick.
+// A lamp that switches on and off at fixed times, alone or in alternation with another one. The state depends only on
+// the time of the tick, so a lamp that was switched from outside is corrected before the next tick.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -88,7 +88,7 @@ class SwitchingLamp final : public Rule {
                                      kIntensity + " (" + joinNames(known) + ")" + didYouMean(id, known));
   }
 
-  /// Asks only if something is to change: a tick without a switch asks for nothing. A lamp that was deleted stays so.
+  /// Requests a change only if needed: a tick without a switch makes no request. A deleted lamp is skipped.
   void shine(const Space& space, InterventionQueue& queue, const std::string& id, bool is_lit) const {
     const Row row = space.entities.find(id);
     if (row == kNoRow) {
@@ -117,7 +117,7 @@ class SwitchingLamp final : public Rule {
   std::string lamp_;
   std::string other_;  // "": none
   Duration period_{};
-  Duration lit_for_{};  // of each period
+  Duration lit_for_{};  // part of each period
   double intensity_ = 1.0;
   SourceLocation location_;
   bool was_first_lit_ = true;

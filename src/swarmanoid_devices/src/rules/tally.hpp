@@ -1,4 +1,4 @@
-/// What a rule counts that judges a run by how much is done: a number, as many in each minute, and how many are enough.
+/// Counter of a rule that judges a run by its output: the count, the count per minute, and the count that is enough.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@ namespace swarmanoid::devices {
 class Tally {
  public:
   Tally() = default;
-  /// @param count, per_minute metrics of the rule @param enough to end the run, a success; 0: it is not judged by them
+  /// @param count, per_minute metrics of the rule @param enough ends the run with a success; 0: the run is not judged
   Tally(Metric& count, Metric& per_minute, double enough) : count_(&count), per_minute_(&per_minute), enough_(enough) {}
 
   void add() { count_->value += 1.0; }
-  /// After each tick.
+  /// Called after each tick.
   void measure(const Space& space) {
     constexpr double kSecondsInMinute = 60.0;
     per_minute_->value = count_->value * kSecondsInMinute / toSeconds(space.time - kEpoch);

@@ -1,4 +1,4 @@
-// Taxis: how far robots, as one, have come towards something, to judge swarms that move as a whole. It changes nothing.
+// Taxis: progress of a group of robots towards a target, to judge swarms that move as a whole. The rule only measures.
 #include <optional>
 #include <string>
 
@@ -44,7 +44,7 @@ class Taxis final : public Rule {
   }
 
  private:
-  /// Without robots all stays as it is.
+  /// Without robots the metrics keep their values.
   void measure(const Space& space, Row target) {
     const bool is_changed = group_.look(space);
     const std::optional<Eigen::Vector2d> centroid = group_.centroid(space);
@@ -52,7 +52,7 @@ class Taxis final : public Rule {
       return;
     }
     distance_->value = (*centroid - space.entities.pose[target].position.head<2>()).norm();
-    if (is_changed) {  // also with the first robots of a run, whose progress is 0
+    if (is_changed) {  // also for the first robots of a run, whose progress is 0
       distance_at_first_ = distance_->value + progress_->value;
     } else {
       progress_->value = distance_at_first_ - distance_->value;
@@ -62,7 +62,7 @@ class Taxis final : public Rule {
   std::string target_;
   RobotGroup group_;
   SourceLocation location_;
-  double distance_at_first_ = 0.0;  // m: that it would have been with the robots of now
+  double distance_at_first_ = 0.0;  // m: initial distance that gives the same progress with the current robots
   Metric* distance_ = nullptr;
   Metric* progress_ = nullptr;
 };

@@ -47,7 +47,7 @@ class Trail final : public Rule {
     for (const Row row : space.entities.order) {
       const Eigen::Vector3d& at = space.entities.pose[row].position;
       if (space.outside[row] == 0 && shows(space.leds[row])) {
-        // one on the border counts as inside, and may be beyond it by a hair
+        // a robot on the border counts as inside, but may be beyond it by rounding
         disc_.position = at.head<2>().cwiseMax(space.corner.head<2>()).cwiseMin(space.farCorner().head<2>());
         paint.discs.push_back(disc_);
       }

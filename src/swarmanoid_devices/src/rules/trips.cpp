@@ -1,4 +1,4 @@
-// Trips: how often robots come from some places of the floor to others, to judge foragers that carry nothing.
+// Trips: how often robots travel between two sets of floor patches, to judge foragers that carry nothing.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -67,20 +67,20 @@ class Trips final : public Rule {
   std::optional<bool> success() const override { return tally_.success(); }
 
  private:
-  static constexpr std::size_t kFrom = 0;  // of the two sides
+  static constexpr std::size_t kFrom = 0;  // index of the side `from`
 
   /// A floor patch of one of the two sides.
   struct Patch {
     std::size_t place = 0;  // among the floor's patches
     std::size_t side = kFrom;
   };
-  /// The side on which a robot was last.
+  /// The side on which a robot was last seen.
   struct Last {
     EntityNumber robot = kNoEntity;
     std::size_t side = kFrom;
   };
 
-  /// At least one, be it empty: then it is refused as no patch is called so.
+  /// At least one id; an empty id is refused later, since no patch has it.
   static std::vector<std::string> idsIn(const std::string& text) {
     std::vector<std::string> ids = listedNames(text);
     return ids.empty() ? std::vector<std::string>{""} : ids;
@@ -111,7 +111,7 @@ class Trips final : public Rule {
   SourceLocation location_;
   Tally tally_;
   Metric* returns_ = nullptr;
-  std::vector<Last> last_;  // by number
+  std::vector<Last> last_;  // by entity number
 };
 
 }  // namespace

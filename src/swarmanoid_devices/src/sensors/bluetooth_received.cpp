@@ -1,4 +1,4 @@
-// Bluetooth of any robot: what it receives, and from whom.
+// The Bluetooth receiver of any robot: messages and their senders.
 #include "radio_receiver.hpp"
 #include "swarmanoid_interface/devices/bluetooth.hpp"
 

@@ -1,5 +1,5 @@
-/// The family of simulated colour-blob cameras. They differ in where they sit, where they look, and in the shape of
-/// their field of view (field_of_view.hpp). A camera that sees all around is its struct and
+/// Base class of simulated colour-blob cameras. They differ in position, direction and shape of the field of view
+/// (field_of_view.hpp). A camera that sees all around is its struct and
 ///
 ///     class MyCameraSensor : public ColorBlobCameraSensor<MyCamera, RingView> {
 ///      public:
@@ -7,7 +7,7 @@
 ///     };
 ///     REGISTER_CAMERA(swarmanoid::devices::MyCameraSensor)
 ///
-/// with REGISTER_CAMERA of unreliable_camera.hpp. One with a lens has few lines more (lens_camera.hpp).
+/// with REGISTER_CAMERA of unreliable_camera.hpp. A camera with a lens takes a few lines more (lens_camera.hpp).
 #pragma once
 
 #include <algorithm>
@@ -74,13 +74,13 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
   }
 
   virtual View makeView(const Configuration& /*parameters*/) const { return View(); }
-  /// The link on which the camera sits.
+  /// The link that carries the camera.
   virtual const char* link() const { return "camera"; }
-  /// How the camera is turned in the robot's frame: it looks along its x axis.
+  /// Orientation of the camera in the robot's frame; x is the optical axis.
   virtual Eigen::Quaterniond orientationOf(const Space& /*space*/, const Instance& instance) const {
     return instance.mount.orientation;
   }
-  /// Changes what is in sight to what the camera's filter makes of it.
+  /// Applies the camera's filter to the sightings.
   virtual void filter(const Space& /*space*/, Instance& /*instance*/, const BlobView& /*view*/,
                       std::vector<Sighting>& /*found*/) const {}
 
@@ -91,12 +91,12 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     instance.mount = space.entities.model[instance.row]->mount(link());
   }
 
-  /// The field of view, and a line in its colour to where the reading says that a blob is.
+  /// Draws the field of view, and for each reported blob a line in its colour to its position.
   void drawOne(const Space& space, const Instance& instance, DeviceDrawing& drawing) const override {
     const Eye eye = viewOf(space, instance).eye;
     field_.draw(eye, range_, drawing);
     for (const ColorBlob& blob : this->delivered(instance).blobs) {
-      // a camera that does not know how far away it is knows where it is in the picture
+      // without a distance, the line ends at the range
       const double way = std::isfinite(blob.distance) ? blob.distance : range_ * std::cos(blob.elevation);
       const double angle = std::atan2(eye.forward.y(), eye.forward.x()) + blob.bearing;
       const Eigen::Vector3d end =
@@ -113,7 +113,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     view.self = instance.row;
     view.eye.position = pose.toWorld(instance.mount.position);
     const Eigen::Vector3d ahead = pose.orientation * Eigen::Vector3d::UnitX();
-    if (!ahead.head<2>().isZero(0.0)) {  // it does not look straight up or down
+    if (!ahead.head<2>().isZero(0.0)) {  // unless the robot's x axis is vertical
       view.eye.forward = ahead.head<2>().normalized();
     }
     view.eye.orientation = pose.orientation * orientationOf(space, instance);

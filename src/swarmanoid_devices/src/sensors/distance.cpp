@@ -1,4 +1,4 @@
-// The infrared distance sensors of any robot, where its description has them.
+// The infrared distance sensors of any robot whose description has them.
 #include "swarmanoid_interface/devices/distance.hpp"
 
 #include <cmath>
@@ -34,7 +34,7 @@ class DistanceSensor : public DistanceRingSensor<DistanceSensor, Distance, Eigen
     for (std::size_t i = 0; i < instance.buffer.size(); ++i) {
       const Eigen::Vector3d direction = instance.ring->direction.col(static_cast<Eigen::Index>(i));
       const double level = direction.head<2>().norm();
-      constexpr double kUpright = 1e-9;  // what looks up or down looks to no side
+      constexpr double kUpright = 1e-9;  // vertical directions have no bearing
       instance.buffer[i].angle = level < kUpright ? 0.0F : toBearing(std::atan2(direction.y(), direction.x()));
       instance.buffer[i].elevation = static_cast<float>(std::atan2(direction.z(), level));
     }

@@ -1,8 +1,8 @@
-/// What all infrared distance sensors that look in fixed directions have in common: each says how far it is to the
-/// first solid, terrain or floor straight ahead, by the law of Distance::reading. They sit where the links distance_0,
-/// distance_1, ... are, and look along the x axes of these.
+/// Base class of infrared distance sensors with fixed directions: each reads the distance straight ahead to the first
+/// solid, terrain or floor, by Distance::reading. The sensors are at the links distance_0, distance_1, ..., and look
+/// along the x axes of the links.
 ///
-/// Sensors of a robot of its own are its struct with `range_min` and `range_max`, and a class such as
+/// New sensors of a robot are their struct with `range_min` and `range_max`, and a class such as
 ///
 ///     class MyDistanceSensor final : public DistanceRingSensor<MyDistanceSensor, MyDistance, MyDistance::kCount> {
 ///      public:
@@ -35,7 +35,7 @@ struct DistanceInstance : BasicSensorInstance<Device> {
   bool is_clear = false;  // whether all readings are infinite
 };
 
-/// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, where the reading of a sensor is.
+/// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, the reading of a sensor.
 template <class Ring, class Device, int count, class InstanceOfRing = DistanceInstance<Device, count>>
 class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
  public:
@@ -59,7 +59,7 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
   double range() const { return range_.maximum; }
 
  protected:
-  /// As far as rays reach is the table's business; what can be measured is what stands there as measured.
+  /// The table determines the length of the rays, and its finite readings the measuring range.
   static std::vector<Parameter> parametersBesideTable() { return {}; }
   void setRange(const SampleTable& table, const Configuration& /*parameters*/) {
     range_ = table.finiteReadings();
@@ -80,7 +80,7 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
         [&](std::size_t sensor, double way, double angle) { visit(sensor, way, angle, 1.0); });
   }
 
-  /// @param usual what its sensors can measure, where an experiment does not say it [m]
+  /// @param usual default measuring range [m]
   static PluginDescription describeRing(const std::string& summary, Range usual) {
     PluginDescription description;
     description.label = Device::kType;
@@ -113,7 +113,7 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
     double lowest() const { return std::min(from.row(2).minCoeff(), to.row(2).minCoeff()); }
   };
 
-  /// All but the segments of the bundle.
+  /// The rays of a robot; the bundle has no segments yet.
   Rays raysOf(const Space& space, const Instance& instance) const {
     const RingGeometry<count>& ring = *instance.ring;
     const Pose& pose = space.entities.pose[instance.row];
@@ -127,7 +127,7 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
     return rays;
   }
 
-  /// @param rays get their segments
+  /// @param rays their segments are set
   static void castRays(const Space& space, Rays& rays, Segments& segments, Hits& hits) {
     const auto size = static_cast<std::size_t>(rays.from.cols());
     for (std::size_t i = 0; i < size; ++i) {
@@ -158,9 +158,9 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
     }
   }
 
-  Range range_;         // that can be measured, m
-  double reach_ = 0.0;  // of rays, m
-  bool folds_ = false;  // whether what is too close reads as something farther away
+  Range range_;         // measuring range, m
+  double reach_ = 0.0;  // length of the rays, m
+  bool folds_ = false;  // whether targets that are too close read as farther ones
   Rings<count> rings_;
 };
 

@@ -1,4 +1,4 @@
-// The eyebot's altimeter: one ray straight down, which ends on the ground or on whatever is below.
+// The eyebot's altimeter: one ray along the body's -z axis, which ends on the ground or on the first solid.
 #include "swarmanoid_interface/devices/eyebot_altitude.hpp"
 
 #include <algorithm>
@@ -38,12 +38,12 @@ class EyebotAltitudeSensor final : public SensorOf<EyebotAltitude> {
   }
 
  private:
-  /// @return at least 0, infinity if nothing is in reach [m]
+  /// @return at least 0; infinity without a hit [m]
   double distanceBelow(const Space& space, Row row) const {
     const Pose& pose = space.entities.pose[row];
     const Eigen::Vector3d down = pose.orientation * -Eigen::Vector3d::UnitZ();
     const double to_ground = wayToGround(space, pose.position, down, range_);
-    // from within the body, since what stands has sunk into what it stands on by a little
+    // starts within the body, since bodies penetrate their support slightly
     const RayHit hit = space.castRay({pose.position - kDeepestSpot * down, pose.position + range_ * down}, row);
     const double to_hit = hit.isHit() ? hit.fraction * (kDeepestSpot + range_) - kDeepestSpot : kInfinity;
     return std::max(0.0, std::min(to_ground, to_hit));

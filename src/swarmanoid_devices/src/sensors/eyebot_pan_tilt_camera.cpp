@@ -1,4 +1,4 @@
-// The eyebot's camera that is panned and tilted. Without its actuator it looks ahead.
+// The eyebot's pan-tilt camera. Without the pan-tilt actuator it looks ahead.
 #include "lens_camera.hpp"
 #include "swarmanoid_interface/devices/eyebot_pan_tilt.hpp"
 #include "unreliable_camera.hpp"
@@ -16,7 +16,7 @@ class EyebotPanTiltCameraSensor : public LensCameraSensor<EyebotPanTiltCamera> {
   const char* link() const override { return "pan_tilt_camera"; }
 
   Eigen::Quaterniond orientationOf(const Space& space, const Instance& instance) const override {
-    // what is carried out of the command is where the mounting stands
+    // the actuation holds the current angles of the mount
     const auto* mounting = space.actuation.find<EyebotPanTilt>(instance.row);
     const EyebotPanTilt turned = mounting == nullptr ? EyebotPanTilt() : *mounting;
     return instance.mount.orientation * Eigen::AngleAxisd(turned.pan, Eigen::Vector3d::UnitZ()) *

@@ -1,4 +1,4 @@
-// The eyebot's barometer, which was set to 0 where the robot started.
+// The eyebot's barometer, zeroed at the robot's starting height.
 #include "swarmanoid_interface/devices/eyebot_pressure.hpp"
 
 #include "swarmanoid_space/sensor.hpp"

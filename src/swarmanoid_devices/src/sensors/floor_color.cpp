@@ -1,4 +1,4 @@
-// The colour of the floor under any robot.
+// The floor colour sensor of any robot.
 #include "swarmanoid_interface/devices/floor_color.hpp"
 
 #include "parameters.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 struct FloorColorInstance : BasicSensorInstance<FloorColor> {
   Eigen::Vector3d spot = Eigen::Vector3d(0.0, 0.0, FloorColor::kHeight);  // in the body frame, m
-  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();                  // likewise, of length 1
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();                  // in the body frame, of length 1
 };
 
 class FloorColorSensor final : public SensorOf<FloorColor, FloorColorInstance> {

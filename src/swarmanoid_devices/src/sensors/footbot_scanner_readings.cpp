@@ -1,5 +1,5 @@
-// The four beams of the rotating distance scanner. The head has no mass and no shape, so no engine moves it: its angle
-// follows from the actuations alone, tick by tick.
+// The four beams of the rotating distance scanner. The head has no mass and no shape, so no engine moves it; its angle
+// is computed from the actuations alone, tick by tick.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,22 +23,22 @@ using Readings = FootbotScannerReadings;
 
 struct ScannerInstance : BasicSensorInstance<Readings> {
   Mount mount;
-  double before = 0.0;  // angle of the head in the tick before the last one that was sensed, rad
-  double angle = 0.0;   // in that
-  Pose pose_before;     // of the robot in the tick before
-  Pose pose;            // of the robot in the last tick that was sensed
+  double before = 0.0;  // head angle in the tick before the last sensed one, rad
+  double angle = 0.0;   // head angle in the last sensed tick, rad
+  Pose pose_before;     // robot pose in the tick before the last sensed one
+  Pose pose;            // robot pose in the last sensed tick
   TickGuard tick;
 };
 
-/// The samples of one tick, the oldest first: where the head was, and where its beams looked.
+/// Samples of one tick, oldest first: angles of the head, and origins and directions of its beams.
 struct Shots {
   std::size_t count = 0;
   std::array<double, Readings::kSamples> angle;             // of the head, in the robot's frame [rad]
   std::array<Eigen::Vector3d, Readings::kSamples> from;     // in W [m]
-  std::array<Eigen::Vector3d, Readings::kSamples> forward;  // where beam 0 looked, in W
-  std::array<Eigen::Vector3d, Readings::kSamples> left;     // where beam 1 looked, in W
-  double slope = 0.0;                                       // of the steepest way down in the plane of the beams
-  Eigen::Vector3d centre;                                   // of a sphere that holds `from` [m]
+  std::array<Eigen::Vector3d, Readings::kSamples> forward;  // direction of beam 0, in W
+  std::array<Eigen::Vector3d, Readings::kSamples> left;     // direction of beam 1, in W
+  double slope = 0.0;                                       // steepest slope in the plane of the beams
+  Eigen::Vector3d centre;                                   // of a sphere that contains `from` [m]
   double radius = 0.0;
 };
 
@@ -74,7 +74,8 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     instance.mount = space.entities.model[instance.row]->mount("scanner");
   }
 
-  /// The samples of the tick, from where the head is now, as long as they are read; what is too close is not drawn.
+  /// Draws the samples of the tick at the distances read, from the current position of the head, except those too
+  /// close.
   void drawOne(const Space& space, const ScannerInstance& instance, DeviceDrawing& drawing) const override {
     const Readings& readings = delivered(instance);
     const Pose& pose = space.entities.pose[instance.row];
@@ -111,7 +112,7 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     }
     instance.pose = space.entities.pose[instance.row];
     if (is_added || space.placed[instance.row] == space.tick) {
-      instance.pose_before = instance.pose;  // it did not come here on a way
+      instance.pose_before = instance.pose;  // a new or teleported robot has not moved here
     }
     const double turn = scanner.turnFrom(instance.before, dt);
     instance.angle = wrapTurn(instance.before + turn);
@@ -124,7 +125,7 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     }
     fill(readings, std::numeric_limits<float>::quiet_NaN());
     if (scanner.mode != FootbotScanner::Mode::kOff && shots.count > 0) {
-      // short beams and long ones apart: short ones mostly have nothing in reach, which is found at once
+      // short and long beams separately: short ones mostly have nothing in reach, which is found early
       measurePair(space, instance, 0, shots, shots.forward);
       measurePair(space, instance, 1, shots, shots.left);
     }
@@ -136,7 +137,7 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     }
   }
 
-  /// @param pose of the robot @param angle of the head
+  /// Adds a sample. @param pose of the robot @param angle of the head
   static void addShot(const ScannerInstance& instance, const Pose& pose, double angle, Shots& shots) {
     const Eigen::Matrix3d head = (pose.orientation * instance.mount.orientation).toRotationMatrix();
     const double cosine = std::cos(angle);
@@ -149,7 +150,7 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     shots.slope = std::max(shots.slope, head.row(2).head<2>().norm());
   }
 
-  /// All from where the robot is now, evenly over the tick.
+  /// Samples spaced evenly over the tick, all from the current pose of the robot.
   static Shots evenShots(const ScannerInstance& instance, double turn) {
     Shots shots;
     for (std::size_t i = 0; i < Readings::kSamples; ++i) {
@@ -159,7 +160,7 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     return shots;
   }
 
-  /// Those whose time is in the tick, at whole multiples of 1 / rate. The robot has moved evenly meanwhile.
+  /// Samples at the whole multiples of 1 / rate within the tick, from interpolated poses of the robot.
   Shots timedShots(const Space& space, const ScannerInstance& instance, double turn) const {
     const std::int64_t end = samplesUntil(space.time, rate_);
     const std::int64_t begin = samplesUntil(space.time - space.clocktick, rate_);
@@ -178,12 +179,12 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     const Eigen::Vector3d first = before.toWorld(instance.mount.position);
     const Eigen::Vector3d last = now.toWorld(instance.mount.position);
     shots.centre = 0.5 * (first + last);
-    constexpr double kMargin = 0.01;  // m: while it turns, the head may leave the straight line a little
+    constexpr double kMargin = 0.01;  // m: the head of a turning robot may leave the straight line
     shots.radius = 0.5 * (last - first).norm() + kMargin;
     return shots;
   }
 
-  /// A beam and the opposite one. @param directions of the first, sample by sample
+  /// Measures with a beam and the opposite one. @param directions of the first beam, by sample
   void measurePair(const Space& space, ScannerInstance& instance, std::size_t first_beam, const Shots& shots,
                    const std::array<Eigen::Vector3d, Readings::kSamples>& directions) const {
     const Range range = Readings::rangeOf(first_beam);
@@ -215,8 +216,8 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     }
   }
 
-  double rate_ = 0.0;   // samples of a beam in a second; 0: as many in each tick as readings hold
-  bool folds_ = false;  // whether what is too close reads as something farther away
+  double rate_ = 0.0;   // samples of each beam in a second; 0: Readings::kSamples in each tick
+  bool folds_ = false;  // whether targets that are too close read as farther ones
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The ground sensors of any robot, where its description has them.
+// The ground sensors of any robot whose description has them.
 #include "swarmanoid_interface/devices/ground.hpp"
 
 #include "printed_floor.hpp"

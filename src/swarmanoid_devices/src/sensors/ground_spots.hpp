@@ -1,10 +1,10 @@
-/// What all ground sensors have in common: each spot reads the colour of the floor where its line of sight meets the
-/// ground, by a GroundResponse, and 0 if that is farther than the range. The spots are where links of the
-/// robot's description are, and look along the x axes of these.
+/// Base class of ground sensors: each spot reads the colour of the floor where its line of sight meets the ground, by a
+/// GroundResponse, or 0 if that is beyond the range. The spots are at links of the robot's description, and look along
+/// the x axes of the links.
 ///
-/// Engines let bodies sink in by a little: a spot that is pressed into the ground by up to 1 cm reads the floor there.
+/// Engines let bodies penetrate the ground slightly: a spot up to 1 cm below the ground reads the floor there.
 ///
-/// Spots of a robot of its own are its struct with `std::array<float, kCount> value`, and a class such as
+/// New ground sensors of a robot are their struct with `std::array<float, kCount> value`, and a class such as
 ///
 ///     class MyGroundSensor final : public GroundSpotsSensor<MyGroundSensor, MyGround, MyGround::kCount> {
 ///      public:
@@ -38,8 +38,8 @@ struct GroundInstance : BasicSensorInstance<Device> {
   std::shared_ptr<const RingGeometry<count>> ring;
 };
 
-/// `Spots` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, where the reading of a spot is.
-/// Spots at links of another name have a `static constexpr const char* kLinks` of their own.
+/// `Spots` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, the reading of a spot. Spots at
+/// links with another name define their own `static constexpr const char* kLinks`.
 template <class Spots, class Device, int count, class InstanceOfSpots = GroundInstance<Device, count>>
 class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
  public:
@@ -99,7 +99,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     instance.ring = rings_.of(space.entities.model[instance.row], Device::kType, {Spots::kLinks});
   }
 
-  /// For each spot that meets the ground its line of sight, and a point there, in the grey of its `value`.
+  /// Draws for each spot that meets the ground its line of sight and the end point, in the grey of its `value`.
   void drawOne(const Space& space, const InstanceOfSpots& instance, DeviceDrawing& drawing) const override {
     const auto& values = numbersOf(this->delivered(instance), "value", instance.ring->size());
     visitGround(space, instance,
@@ -113,7 +113,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
  private:
   static constexpr double kMargin = 1e-6;  // for rounding, m
 
-  /// Calls visit(spot, its place in W [m], where it looks, way to the ground [m]) for each that meets the ground.
+  /// Calls visit(spot, position in W [m], direction, way to the ground [m]) for each spot that meets the ground.
   template <class Visit>
   void visitGround(const Space& space, const Instance& instance, Visit visit) const {
     const RingGeometry<count>& ring = *instance.ring;
@@ -129,8 +129,8 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     }
   }
 
-  /// The readings of a ring upright over a level, bare floor: they depend on nothing but its height, and robots that
-  /// come one after the other share them mostly.
+  /// Readings of an upright ring over a level, bare floor. They depend only on its height, so most robots have the same
+  /// readings as the previous robot.
   struct LevelReadings {
     const RingGeometry<count>* ring = nullptr;
     double reach = 0.0;            // of the ring, see reachOf, m
@@ -138,7 +138,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     std::array<float, RingGeometry<count>::kMost> values;
   };
 
-  /// To the floor that its spots may see, from the robot's origin [m].
+  /// Distance from the robot's origin to the farthest floor that its spots may see [m].
   double reachOf(const RingGeometry<count>& ring, LevelReadings& level) const {
     if (&ring != level.ring) {
       level.ring = &ring;
@@ -148,7 +148,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     return level.reach;
   }
 
-  /// As senseOne: turns about z leave the z of places and directions as they are, to the bit.
+  /// As senseOne, bit for bit: rotations about z do not change the z of positions and directions.
   void readLevel(const Space& space, double height, Instance& instance, LevelReadings& level) const {
     const RingGeometry<count>& ring = *instance.ring;
     if (height != level.height) {

@@ -1,4 +1,4 @@
-/// Rays of sensors that sit on a handbot's hands, which the arms move.
+/// Rays of sensors on a handbot's hands, which move with the arms.
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace swarmanoid::devices {
 
-/// Where such a sensor is now, in W.
-/// @param mount of the robot's model, with all joints at zero
+/// Current pose of such a sensor, in W.
+/// @param mount in the robot's model, with all joints at zero
 inline Eigen::Isometry3d placeInWorld(const Space& space, Row row, const Mount& mount) {
   const Pose& pose = space.entities.pose[row];
   Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
@@ -17,8 +17,8 @@ inline Eigen::Isometry3d placeInWorld(const Space& space, Row row, const Mount& 
   return place.translate(mount.position).rotate(mount.orientation);
 }
 
-/// A bundle of rays about a place, without its segments.
-/// @param radius from there to the farthest ends [m]
+/// A bundle of rays around a position, without segments.
+/// @param radius distance from there to the farthest ends [m]
 inline RayBundle bundleAround(Row robot, const Eigen::Isometry3d& place, double radius) {
   RayBundle rays;
   rays.centre = place.translation();

@@ -43,7 +43,7 @@ class HandbotProximitySensor final : public SensorOf<HandbotProximity, PalmsInst
     instance.palms = {model.mount("left_suction"), model.mount("right_suction")};
   }
 
-  /// The rays as far as they reach, in the shade of what is read.
+  /// Draws the rays up to their hits, in the shade of the readings.
   void drawOne(const Space& space, const PalmsInstance& instance, DeviceDrawing& drawing) const override {
     const HandbotProximity& readings = delivered(instance);
     for (std::size_t hand = 0; hand < instance.palms.size(); ++hand) {
@@ -59,7 +59,7 @@ class HandbotProximitySensor final : public SensorOf<HandbotProximity, PalmsInst
     return {palm.translation(), palm * Eigen::Vector3d(range_, 0.0, 0.0)};
   }
 
-  /// The share of the range at which something is; 1: nothing.
+  /// Fraction of the range at which the ray of a palm hits something; 1: no hit.
   double look(const Space& space, Row robot, const Eigen::Isometry3d& palm) const {
     RayBundle rays = bundleAround(robot, palm, range_);
     if (!space.mayHit(rays)) {

@@ -1,4 +1,5 @@
-// The vacuum in the cups of a handbot's hands: of each the share of its lip, and of its middle, that something closes.
+// The vacuum in the cups of a handbot's hands: for each cup the share of points of its lip and centre that lie on a
+// solid.
 #include "swarmanoid_interface/devices/handbot_vacuum.hpp"
 
 #include <string>
@@ -58,7 +59,7 @@ class HandbotVacuumSensor final : public HolderSensor<HandbotVacuumSensor, Handb
     }
   }
 
-  /// The lips, in the shade of what is read.
+  /// Draws the lips, in the shade of the readings.
   void drawOne(const Space& space, const Instance& instance, DeviceDrawing& drawing) const override {
     constexpr double kRadius = HandbotVacuum::kCupRadius;
     const HandbotVacuum& readings = this->delivered(instance);
@@ -96,7 +97,7 @@ class HandbotVacuumSensor final : public HolderSensor<HandbotVacuumSensor, Handb
     std::array<RayHit, kPoints> hits;
     for (std::size_t i = 0; i < kPoints; ++i) {
       const double angle = 2.0 * M_PI * static_cast<double>(i) / HandbotVacuum::kLipPoints;
-      const double radius = i == HandbotVacuum::kLipPoints ? 0.0 : kRadius;  // the last one is the middle
+      const double radius = i == HandbotVacuum::kLipPoints ? 0.0 : kRadius;  // the last point is the centre
       const Eigen::Vector3d point(0.0, radius * std::cos(angle), radius * std::sin(angle));
       const Eigen::Vector3d out(kReach, 0.0, 0.0);
       segments[i] = {place * Eigen::Vector3d(point - out), place * Eigen::Vector3d(point + out)};

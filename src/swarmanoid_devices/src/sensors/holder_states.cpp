@@ -1,5 +1,4 @@
-// What any robot holds, of all that it holds with. What a gripper holds stands in the structural tree, the rest in the
-// attachments.
+// State of all holders of any robot. Bodies held by grippers are in the structural tree, all others in the attachments.
 #include "holders.hpp"
 #include "span_readings.hpp"
 #include "swarmanoid_interface/devices/holders.hpp"
@@ -32,7 +31,7 @@ class HolderStatesSensor final
       Instance& instance = instances_[k];
       const std::vector<EntityModel::Holder>& holders = space.entities.model[instance.row]->holders;
       for (std::size_t i = 0; i < instance.buffer.size(); ++i) {
-        if (holders[i].kind == EntityModel::Holder::Kind::kGripper) {  // a robot has one at most
+        if (holders[i].kind == EntityModel::Holder::Kind::kGripper) {  // a robot has at most one
           instance.buffer[i].is_holding = space.structure.grippedBy(instance.row) != kNoRow;
         } else {
           const Attachment attachment = attachmentOf(space, instance, i);

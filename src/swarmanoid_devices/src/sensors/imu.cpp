@@ -9,8 +9,8 @@ namespace swarmanoid::devices {
 namespace {
 
 struct ImuInstance : BasicSensorInstance<Imu> {
-  Imu::Motion before;  // at the end of the tick before the last one that was sensed
-  Imu::Motion last;    // at the end of that
+  Imu::Motion before;  // at the end of the tick before the last sensed one
+  Imu::Motion last;    // at the end of the last sensed tick
   TickGuard tick;
 };
 
@@ -35,9 +35,9 @@ class ImuSensor final : public SensorOf<Imu, ImuInstance> {
   }
 
  protected:
-  /// What the accelerometers feel, 2 cm for each m/s2, from the top of the robot over its origin.
+  /// Draws the reading of the accelerometers, 2 cm for each m/s2, from the top of the robot above its origin.
   void drawOne(const Space& space, const ImuInstance& instance, DeviceDrawing& drawing) const override {
-    constexpr double kScale = 0.02;  // m by m/s2
+    constexpr double kScale = 0.02;  // m per m/s2
     const Pose& pose = space.entities.pose[instance.row];
     const Eigen::Vector3d top(0.0, 0.0, space.entities.model[instance.row]->highest);
     drawing.arrow(pose.toWorld(top), pose.toWorld(top + kScale * delivered(instance).linear_acceleration),
@@ -56,7 +56,7 @@ class ImuSensor final : public SensorOf<Imu, ImuInstance> {
       instance.before = instance.last;
     }
     if (is_added || space.placed[instance.row] == space.tick) {
-      instance.before = now;  // nothing is known of the time before the robot was there; a teleport is no crash
+      instance.before = now;  // a new robot has no previous motion; a teleport is no acceleration
     }
     instance.last = now;
     *instance.readings = Imu::reading(instance.before, now, dt);

@@ -1,5 +1,5 @@
-/// The family of colour-blob cameras with a lens: what they see is a pyramid around the axis that they look along, and
-/// how far away it is they do not know.
+/// Base class of colour-blob cameras with a lens: they see a pyramid around their optical axis, and measure no
+/// distances.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace swarmanoid::devices {
 
-/// A camera with a lens, which looks along the x axis of its link unless `orientationOf` says something else.
+/// A camera with a lens; its optical axis is the x axis of its link unless `orientationOf` is overridden.
 template <class Camera>
 class LensCameraSensor : public ColorBlobCameraSensor<Camera, PyramidView> {
  protected:

@@ -1,7 +1,7 @@
 // The lidar of any robot: beams in the plane of the link `lidar`, all at one moment.
 //
-// Space casts at most 64 rays at once, so a scan is cast in sectors of so many beams. A sector's rays look for solids
-// in a sphere of its own, which is much smaller than that of the whole scan.
+// Space casts at most 64 rays at once, so a scan is cast in sectors of that many beams. Each sector searches for solids
+// in its own sphere, which is much smaller than that of the whole scan.
 #include "swarmanoid_interface/devices/lidar.hpp"
 
 #include <algorithm>
@@ -23,12 +23,12 @@ namespace {
 
 struct LidarInstance : SpanReadings<BasicSensorInstance<Lidar>, LidarBeam> {
   Mount mount;
-  std::optional<Time> scanned;  // when the scan was taken; a new robot has none
+  std::optional<Time> scanned;  // time of the last scan; empty for a new robot
 };
 
-constexpr std::size_t kSectorBeams = 8 * sizeof(RayMask);  // the most rays of a bundle
+constexpr std::size_t kSectorBeams = 8 * sizeof(RayMask);  // maximum number of rays in a bundle
 
-/// Consecutive beams that are cast together, and the smallest sphere that holds them all.
+/// Consecutive beams that are cast together, and the smallest sphere that contains them.
 struct Sector {
   std::size_t begin = 0;
   std::size_t count = 0;
@@ -42,7 +42,7 @@ Eigen::Vector2d unitVector(double angle) { return {std::cos(angle), std::sin(ang
 /// @param reach length of the beams [m]
 Sector makeSector(std::size_t begin, std::size_t count, double first, double width, double reach) {
   const double half = 0.5 * width;
-  double along = 0.0;  // from the mount to the centre
+  double along = 0.0;  // distance from the mount to the centre
   double radius = reach;
   if (half < M_PI / 4.0) {  // through the mount and both ends
     along = radius = 0.5 * reach / std::cos(half);
@@ -50,7 +50,7 @@ Sector makeSector(std::size_t begin, std::size_t count, double first, double wid
     along = reach * std::cos(half);
     radius = reach * std::sin(half);
   }
-  constexpr double kMargin = 1e-9;  // of the radius, for rounding
+  constexpr double kMargin = 1e-9;  // as a fraction of the radius, for rounding
   return {begin, count, along * unitVector(first + half), (1.0 + kMargin) * radius};
 }
 
@@ -89,7 +89,7 @@ class LidarSensor final : public SensorOf<Lidar, LidarInstance> {
         rate_ == 0.0 || samplesUntil(space.time, rate_) > samplesUntil(space.time - space.clocktick, rate_);
     for (std::size_t k = first; k < last; ++k) {
       LidarInstance& instance = instances_[k];
-      // a tick that is sensed again has its scan anew
+      // a tick that is sensed again repeats its scan
       if (is_due || !instance.scanned || *instance.scanned == space.time) {
         scan(space, instance);
         instance.scanned = space.time;
@@ -118,7 +118,7 @@ class LidarSensor final : public SensorOf<Lidar, LidarInstance> {
         static_cast<float>(std::max(toSeconds(space.clocktick), rate_ == 0.0 ? 0.0 : 1.0 / rate_));
   }
 
-  /// The beams as far as they get, from where the robot is now; what is too close is not drawn.
+  /// Draws the beams up to their hits, from the current pose of the robot, except readings that are too close.
   void drawOne(const Space& space, const LidarInstance& instance, DeviceDrawing& drawing) const override {
     const Eigen::Isometry3d plane = planeOf(space, instance);
     const Lidar& readings = delivered(instance);
@@ -140,7 +140,7 @@ class LidarSensor final : public SensorOf<Lidar, LidarInstance> {
  private:
   static Eigen::Vector3d inPlane(const Eigen::Vector2d& point) { return {point.x(), point.y(), 0.0}; }
 
-  /// From the frame of the link to W.
+  /// Transform from the frame of the link to W.
   static Eigen::Isometry3d planeOf(const Space& space, const LidarInstance& instance) {
     const Pose& pose = space.entities.pose[instance.row];
     Eigen::Isometry3d plane = Eigen::Isometry3d::Identity();
@@ -196,18 +196,18 @@ class LidarSensor final : public SensorOf<Lidar, LidarInstance> {
     }
   }
 
-  /// @param way to what the beam meets, or infinity [m]
+  /// @param way distance to the hit, or infinity [m]
   float measured(double way, LidarInstance& instance) const {
     const float exact = Distance::reading(way, range_);
     return noise_ > 0.0 && std::isfinite(exact) ? Distance::reading(way + instance.random.gaussian(0.0, noise_), range_)
                                                 : exact;
   }
 
-  Range range_;                              // that can be measured, m
+  Range range_;                              // measuring range, m
   double noise_ = 0.0;                       // standard deviation, m
   double rate_ = 0.0;                        // scans in a second; 0: one in each tick
   std::vector<double> angles_;               // of the beams in the plane [rad]
-  std::vector<Eigen::Vector2d> directions_;  // the same as vectors of length 1
+  std::vector<Eigen::Vector2d> directions_;  // the same as unit vectors
   std::vector<Sector> sectors_;
 };
 

@@ -1,4 +1,4 @@
-// The light sensors of any robot, where its description has them.
+// The light sensors of any robot whose description has them.
 #include "swarmanoid_interface/devices/light.hpp"
 
 #include "light_ring.hpp"

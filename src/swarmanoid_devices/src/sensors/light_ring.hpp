@@ -1,8 +1,8 @@
-/// What all rings of light sensors have in common: each adds up the light of the LEDs and lamps before it, by the law
-/// of Light::share, and saturates where an implementation states no other response. They sit where the links light_0,
-/// light_1, ... are, or, if the robot has none of them, proximity_0, proximity_1, ...
+/// Base class of rings of light sensors: each sensor adds up the light of the LEDs and lamps before it, by
+/// Light::share, and saturates unless an implementation has another response. The sensors are at the links light_0,
+/// light_1, ..., or, if the robot has none of them, proximity_0, proximity_1, ...
 ///
-/// A ring of a robot of its own is its struct with `std::array<float, kCount> value`, and a class such as
+/// A new ring of a robot is its struct with `std::array<float, kCount> value`, and a class such as
 ///
 ///     class MyLightSensor final : public LightRingSensor<MyLightSensor, MyLight, MyLight::kCount> {
 ///      public:
@@ -34,14 +34,14 @@ struct LightInstance : BasicSensorInstance<Device> {
   std::shared_ptr<const RingGeometry<count>> ring;
 };
 
-/// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, where the reading of a sensor is.
-/// Another law than Light::response is a `static float response(double sum)` of its own, as the one here.
+/// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, the reading of a sensor. A ring
+/// with another law than Light::response defines its own `static float response(double sum)`, like the one here.
 template <class Ring, class Device, int count, class InstanceOfRing = LightInstance<Device, count>>
 class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
  public:
   using Instance = InstanceOfRing;
 
-  /// @param sum of the shares of light that a sensor gets @return what it reads
+  /// @param sum of the light shares on a sensor @return reading of the sensor
   static float response(double sum) { return Light::response(sum); }
 
   void configure(const Configuration& parameters) override {
@@ -94,7 +94,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     }
   }
 
-  /// @param implementation its name; the inverse square law is used where an experiment names none
+  /// @param implementation its name; `inverse_square` is the default of experiments
   static PluginDescription describeRing(const std::string& summary,
                                         const std::string& implementation = "inverse_square") {
     PluginDescription description;
@@ -115,7 +115,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     instance.ring = rings_.of(space.entities.model[instance.row], Device::kType, {"light", "proximity"});
   }
 
-  /// For each sensor that feels light a ray to where it looks, by its `value` up to 10 cm long.
+  /// Draws for each sensor with light a ray along its direction, up to 10 cm long in proportion to its `value`.
   void drawOne(const Space& space, const InstanceOfRing& instance, DeviceDrawing& drawing) const override {
     constexpr double kLongest = 0.1;  // m
     const RingGeometry<count>& ring = *instance.ring;
@@ -141,8 +141,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
                   "The same for LEDs of robots, if it is less than `range`; 0: LEDs give no light.");
   }
 
-  /// What shines on a ring. The list is kept between calls so that a steady state allocates
-  /// nothing.
+  /// Entities that shine on a ring. The list is kept between calls so that a steady state allocates nothing.
   const std::vector<Row>& shiningOn(const Space& space, const Instance& instance) const {
     thread_local std::vector<Row> near;
     lit_.collect(space, instance.row, centreOf(space, instance), instance.ring->radius, reach_, near);
@@ -153,7 +152,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     return space.entities.pose[instance.row].toWorld(instance.ring->centre);
   }
 
-  /// @param sensors to be placed
+  /// @param sensors output: positions and directions
   IlluminatedRing placedRing(const Space& space, const Instance& instance, Sensors& sensors) const {
     const RingGeometry<count>& ring = *instance.ring;
     const Pose& pose = space.entities.pose[instance.row];
@@ -180,7 +179,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   void senseOne(const Space& space, Instance& instance, LightSearch& search) const {
     const std::size_t size = instance.ring->size();
     const std::vector<Row>& near = shiningOn(space, instance);
-    if (near.empty()) {  // so it is for most robots of a large world
+    if (near.empty()) {  // true for most robots of a large world
       const float dark = Ring::response(0.0);
       for (std::size_t i = 0; i < size; ++i) {
         Ring::valueOf(instance, i) = dark;

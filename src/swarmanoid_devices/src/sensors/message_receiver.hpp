@@ -1,7 +1,7 @@
-/// What all devices that receive messages have in common. A receiver reads, in the sense phase of a tick, what senders'
-/// actuations were after the tick before: messages arrive in the next tick, whichever robot is updated first, and
-/// nothing is kept for them. A message is heard if the two transmitters are within the range of the receiver, with
-/// `line_of_sight` nothing but the two robots stands between them, and it is not lost (LossLaw). Nobody hears itself.
+/// Base class of devices that receive messages. In the sense phase of a tick, a receiver reads the senders' actuations
+/// of the previous tick: messages arrive in the next tick, independent of the order of updates, and are not stored. A
+/// message is received if the two transmitters are within the range of the receiver, if with `line_of_sight` nothing
+/// but the two robots is between them, and if it is not lost (LossLaw). A robot does not receive its own messages.
 ///
 /// A receiver is its struct, which derives from ReceivedMessages, and a class such as
 ///
@@ -10,12 +10,12 @@
 ///       static PluginDescription describe() { return describeReceiver("A board."); }
 ///     };
 ///
-/// The struct has kUsualRange and kNeedsSight; its Message `payload`, and `measure(offset)`, which takes what the
-/// device measures of the sender, if anything, from the offset of its transmitter in the receiver's frame.
+/// The struct has kUsualRange and kNeedsSight. Its Message has `payload`, and `measure(offset)`, which sets the
+/// measurements of the sender, if any, from the offset of its transmitter in the receiver's frame.
 ///
-/// A radio derives from RadioReceiver (radio_receiver.hpp). It says kSharesChannel: `slots` are what its channel
-/// carries around it, for whomever. What is for others is dropped after that, so a receiver looks no farther than it
-/// takes to fill the slots.
+/// A radio derives from RadioReceiver (radio_receiver.hpp) and has kSharesChannel: `slots` then counts all messages on
+/// the channel around it, for any receiver. Messages for other receivers are dropped afterwards, so a receiver searches
+/// only as far as needed to fill the slots.
 #pragma once
 
 #include <algorithm>
@@ -39,8 +39,8 @@ template <class Received>
 struct MessageReceiverInstance : SpanReadings<BasicSensorInstance<Received>, typename Received::Message> {
   Transmitter transmitter;
   OverflowNote overflow;
-  double reach = 1.0;  ///< on a shared channel: how far it looked in the last tick, where the next one begins [m]
-  std::vector<EntityNumber> senders;  // of the messages of this tick, for whoever looks
+  double reach = 1.0;  ///< on a shared channel: search distance of the last tick, with which the next one starts [m]
+  std::vector<EntityNumber> senders;  // of the messages of this tick, for drawing
 };
 
 /// @tparam Received struct of the readings @tparam Command of the senders' actuators
@@ -60,16 +60,16 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
   }
 
   const void* add(Space& space, Row row) override {
-    // the bank outlives the sensor, and is there though nobody sends yet
+    // the bank outlives the sensor, and exists even without senders
     commands_ = &space.actuation.template bank<Command>();
     return Base::add(space, row);
   }
 
   void prepare(const Space& space) override {
     if (this->instances_.empty()) {
-      return;  // no robot has the controller yet, or any more
+      return;  // no robot has the sensor at present
     }
-    // lines of sight need to know who is near, and not only who sends
+    // lines of sight need all nearby robots, not only the senders
     const bool may_be_few = Received::kSharesChannel && !needs_sight_;
     table_.fill(space, *commands_, may_be_few ? slots_ : 0);
   }
@@ -121,7 +121,7 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     instance.senders.resize(slots_);
   }
 
-  /// The links of this tick: a line to the transmitter of each sender that was heard, before errors and faults, and a
+  /// Draws the links of this tick: a line to the transmitter of each received sender, before errors and faults, and a
   /// point at the receiver's end.
   void drawOne(const Space& space, const Instance& instance, DeviceDrawing& drawing) const override {
     thread_local Transmitters transmitters;
@@ -141,14 +141,14 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
   using Search = SenderSearch<Command>;
   using Found = typename Search::Found;
 
-  /// Leaves out those whose messages came, but are not for this robot.
+  /// Removes the senders of messages for other robots.
   virtual void leaveOutOthers(const Instance&, std::vector<Found>&) const {}
-  /// What messages say beside what was sent and measured. @param heard their senders, in the same order
+  /// Fills the fields of messages that are neither sent nor measured. @param heard their senders, in the same order
   virtual void complete(const Space&, const std::vector<Found>& /*heard*/, Span<Message>) const {}
 
  private:
-  /// From the receiver to the senders of messages, in its robot's frame [m]: by coordinate, so that several messages
-  /// are measured at once.
+  /// Offsets from the receiver to the senders, in the frame of its robot [m]: by coordinate, so that the loop over
+  /// messages can be vectorised.
   struct Offsets {
     std::vector<double> x;
     std::vector<double> y;
@@ -186,7 +186,7 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     readings.messages = messages;
   }
 
-  /// Fills messages with what was sent and where from.
+  /// Fills messages with payloads and measurements.
   void measure(const Space& space, Instance& instance, const Eigen::Vector3d& own_position,
                const std::vector<Found>& heard, Offsets& offsets) const {
     const Eigen::Matrix3d to_body = space.entities.pose[instance.row].orientation.conjugate().toRotationMatrix();
@@ -200,17 +200,17 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
       instance.senders[i] = sender.number;
       instance.buffer[i].payload = sender.command.payload;
     }
-    // a loop of its own, without calls or branches, since compilers make it one over several messages at once
+    // a separate loop without calls or branches, so that compilers vectorise it
     for (std::size_t i = 0; i < heard.size(); ++i) {
       instance.buffer[i].measure({offsets.x[i], offsets.y[i], offsets.z[i]});
     }
   }
 
-  /// Leaves who is heard, all up to some distance: as far as there are senders for all slots, or as the range.
+  /// Finds all senders that are received up to some distance: one with more senders than slots, or else the range.
   void hearNearest(const Space& space, Instance& instance, const Eigen::Vector3d& own_position,
                    Scratch& scratch) const {
-    constexpr std::size_t kFarTooMany = 4;  // times the slots: half as far would do
-    constexpr double kNearest = 1e-3;       // m, from which it can grow again
+    constexpr std::size_t kFarTooMany = 4;  // times the slots: half the distance suffices
+    constexpr double kNearest = 1e-3;       // m, lower bound, so that it can grow again
     const std::vector<Found>& heard = scratch.senders.found;
     const bool looks_around = table_.few() == nullptr;
     double reach = looks_around ? std::min(range_, instance.reach) : range_;
@@ -227,7 +227,7 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     }
   }
 
-  /// Finds those whom nothing hides, in no stated order.
+  /// Finds the senders within a distance that nothing hides, in unspecified order.
   void findInSight(const Space& space, const Instance& instance, const Eigen::Vector3d& own_position, double reach,
                    Scratch& scratch) const {
     scratch.senders.find(space, table_, instance.row, own_position, reach);
@@ -239,7 +239,7 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     }
   }
 
-  /// @param found if the channel is not shared, in the order of entity numbers: each draws a number
+  /// @param found in the order of entity numbers if the channel is not shared, since each draws a random number
   void leaveOutLost(const Space& space, Instance& instance, std::vector<Found>& found) const {
     if (!loss_.loses()) {
       return;
@@ -249,7 +249,7 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     leaveOut(found, [&](const Found& each) {
       const double probability = loss_.probability(each.squared_range);
       if constexpr (Received::kSharesChannel) {
-        // a number of the pair's own, so that it does not depend on how far the receiver looks
+        // a random stream for each pair, so that the loss does not depend on the search distance
         RandomStream pair(draws, static_cast<std::uint64_t>(each.sender->number));
         return pair.uniform() < probability;
       } else {
@@ -258,7 +258,7 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     });
   }
 
-  /// Asks about each once, in their order, which stays.
+  /// Removes elements for which is_out is true. Calls it once for each, in order; the order is kept.
   template <class IsOut>
   static void leaveOut(std::vector<Found>& found, IsOut is_out) {
     std::size_t kept = 0;

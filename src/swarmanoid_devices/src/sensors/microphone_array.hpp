@@ -1,9 +1,9 @@
-/// What all microphones have in common: each adds up the sounds that come to it, by the law of Sound, over a background
-/// that is the same everywhere; and together they measure where the loudest source is. They sit where the links
-/// microphone_0, microphone_1, ... of the robot's description are.
+/// Base class of microphones: each adds up the sounds that reach it, by the law of Sound, over a uniform background;
+/// together they measure the direction of the loudest source. They are at the links microphone_0, microphone_1, ... of
+/// the robot's description.
 ///
-/// Microphones of a robot of its own are its struct with `std::array<float, kCount> level` and `LoudestSound loudest`,
-/// and a class such as
+/// New microphones of a robot are their struct with `std::array<float, kCount> level` and `LoudestSound loudest`, and a
+/// class such as
 ///
 ///     class MyMicrophones final : public MicrophoneArray<MyMicrophones, MyEars, MyEars::kCount> {
 ///      public:
@@ -33,8 +33,7 @@ struct MicrophoneInstance : BasicSensorInstance<Device> {
   std::shared_ptr<const RingGeometry<count>> ring;
 };
 
-/// `Array` derives from this, and has `static float& levelOf(Instance&, std::size_t)`, where the reading of a
-/// microphone is.
+/// `Array` derives from this, and has `static float& levelOf(Instance&, std::size_t)`, the reading of a microphone.
 template <class Array, class Device, int count, class InstanceOfArray = MicrophoneInstance<Device, count>>
 class MicrophoneArray : public SensorOf<Device, InstanceOfArray> {
   using Base = SensorOf<Device, InstanceOfArray>;
@@ -51,7 +50,7 @@ class MicrophoneArray : public SensorOf<Device, InstanceOfArray> {
   }
 
   const void* add(Space& space, Row row) override {
-    // the bank outlives the sensor, and is there though nobody has a loudspeaker yet
+    // the bank outlives the sensor, and exists even without loudspeakers
     loudspeakers_ = &space.actuation.template bank<Loudspeaker>();
     return Base::add(space, row);
   }
@@ -135,7 +134,7 @@ class MicrophoneArray : public SensorOf<Device, InstanceOfArray> {
   double range_ = Sound::kUsualRange;  // m
   double background_ = 0.0;            // power
   bool casts_shadows_ = false;
-  double shadowed_part_ = 1.0;  // of a source's power behind something
+  double shadowed_part_ = 1.0;  // part of a source's power that passes an obstacle
   const Bank<Loudspeaker>* loudspeakers_ = nullptr;
   Rings<count> rings_;
 };

@@ -1,4 +1,4 @@
-// The microphones of any robot, where its description has them.
+// The microphones of any robot whose description has them.
 #include "swarmanoid_interface/devices/microphones.hpp"
 
 #include "microphone_array.hpp"

@@ -1,4 +1,4 @@
-// The odometry of any robot with a differential drive, with wheels that slip on the ground at random if configured.
+// The odometry of any robot with a differential drive, with random wheel slip if configured.
 #include "swarmanoid_interface/devices/odometry.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What a system that tracks robots from outside says: the state of the space.
+// An external tracking system: it reports the pose of a robot in the space.
 #include "swarmanoid_interface/devices/positioning.hpp"
 
 #include "swarmanoid_space/sensor.hpp"

@@ -1,4 +1,4 @@
-// The infrared sensors of any robot, where its description has them.
+// The infrared proximity sensors of any robot whose description has them.
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 #include "proximity_ring.hpp"

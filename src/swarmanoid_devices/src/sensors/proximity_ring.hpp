@@ -1,5 +1,5 @@
-/// What all rings of infrared proximity sensors have in common: one short ray a sensor; the response falls from 1 at
-/// contact to 0 at the range, as a cubic polynomial of the distance where an implementation states no other law.
+/// Base class of rings of infrared proximity sensors with one short ray each. The response falls from 1 at contact to 0
+/// at the range, as a cubic polynomial of the distance unless an implementation has another law.
 #pragma once
 
 #include <algorithm>
@@ -26,16 +26,16 @@ struct ProximityInstance : BasicSensorInstance<Device> {
   bool is_clear = true;  // whether all readings are 0
 };
 
-/// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, where the reading of a sensor is.
-/// Another law than the polynomial is a `static float response(double fraction)` of its own, as the one here. Drawn are
-/// the rays as far as they reach, in the shade of the struct's `value`, with a point where they hit something.
+/// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, the reading of a sensor. A ring
+/// with another law than the polynomial defines its own `static float response(double fraction)`, like the one here.
+/// Rays are drawn up to their hits, in the shade of the struct's `value`, with a point at each hit.
 template <class Ring, class Device, int count, class InstanceOfRing = ProximityInstance<Device, count>>
 class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
  public:
   using Instance = InstanceOfRing;
 
-  /// @param fraction of the range at which something is: 0 at contact, 1 at the range or beyond
-  /// @return from 0 to 1; 0 at the range, which is read too where nothing is near
+  /// @param fraction of the range at which the ray hits something: 0 at contact, 1 at the range or beyond
+  /// @return from 0 to 1; must be 0 at the range, since sensors without an obstacle nearby read 0
   static float response(double fraction) { return Proximity::response(fraction); }
 
   void configure(const Configuration& parameters) override {
@@ -73,7 +73,7 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
         [&](std::size_t sensor, double way, double angle) { visit(sensor, way, angle, 1.0); });
   }
 
-  /// @param implementation its name; the polynomial is used where an experiment names none
+  /// @param implementation its name; `polynomial` is the default of experiments
   static PluginDescription describeRing(const std::string& summary, const std::string& implementation = "polynomial") {
     PluginDescription description;
     description.label = Device::kType;
@@ -117,7 +117,7 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
     return rays;
   }
 
-  /// @param rays of bundleOf, which get their segments: all of the ring
+  /// @param rays of bundleOf; all segments of the ring are set
   void castRays(const Space& space, const Instance& instance, Segments& segments, Hits& hits, RayBundle& rays) const {
     const std::size_t size = instance.ring->size();
     instance.ring->aim(space.entities.pose[instance.row], {segments.data(), size});
@@ -127,8 +127,8 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
 
   using Fractions = std::array<double, RingGeometry<count>::kMost>;
 
-  /// Casts the few rays that pass by an obstacle. At circles, such as most robots are, they need not leave the robot's
-  /// frame. @param fractions at which they hit something; 1: at nothing @return which rays these are
+  /// Casts only the rays near an obstacle. Against circles, such as most robots, it casts them in the robot's frame.
+  /// @param fractions output: where each ray hits something; 1: no hit @return mask of the rays near an obstacle
   RayMask castNear(const Space& space, const Instance& instance, const Obstacles& obstacles,
                    Fractions& fractions) const {
     const RayRing<count>& ring = *instance.ring;
@@ -154,7 +154,7 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
     return cast;
   }
 
-  /// Casts all rays, as castNear.
+  /// Casts all rays, with results as castNear.
   RayMask castAll(const Space& space, const Instance& instance, RayBundle& rays, Fractions& fractions) const {
     Segments segments;
     Hits hits;

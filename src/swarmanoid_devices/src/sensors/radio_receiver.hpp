@@ -1,5 +1,5 @@
-/// What all radios' receivers have in common beside what all receivers have (message_receiver.hpp): messages say who
-/// sent them, and what is for another robot is not reported, though it was in the air.
+/// Base class of radio receivers: as all receivers (message_receiver.hpp), but messages have the address of their
+/// sender, and messages for other robots are received but not reported.
 ///
 ///     class MyRadioReceiver final : public RadioReceiver<MyRadioReceived, MyRadio> {
 ///      public:
@@ -18,7 +18,7 @@ namespace swarmanoid::devices {
 
 template <class Received>
 struct RadioReceiverInstance : MessageReceiverInstance<Received> {
-  RadioAddress address = kEverybody;  ///< the robot's own
+  RadioAddress address = kEverybody;  ///< of the robot
 };
 
 /// @tparam Received struct of the readings @tparam Command of the senders' actuators, a RadioCommand

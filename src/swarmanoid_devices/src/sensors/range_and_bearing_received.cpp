@@ -1,4 +1,4 @@
-// The board of range and bearing of any robot: what it receives, and from where.
+// The range-and-bearing receiver of any robot: messages and the positions of their senders.
 #include "message_receiver.hpp"
 #include "swarmanoid_interface/devices/range_and_bearing.hpp"
 

@@ -1,5 +1,4 @@
-/// A ring of sensors that cast a ray each, as long as each other: which of the rays pass by what stands around the
-/// robot.
+/// A ring of sensors with one ray each, all of the same length, and a fast search for the rays near an obstacle.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +15,8 @@
 
 namespace swarmanoid::devices {
 
-/// A robot that stands upright: the turn about z of its pose. It puts vectors where the rotation matrix of the pose
-/// does, to the last bit.
+/// Pose of an upright robot, with the rotation about z only. It transforms vectors as the rotation matrix of the pose
+/// does, bit for bit.
 class UprightPose {
  public:
   /// @pre pose.isUpright()
@@ -36,7 +35,7 @@ class UprightPose {
     return {cosine_ * point.x() - sine_ * point.y() + position_.x(),
             sine_ * point.x() + cosine_ * point.y() + position_.y(), point.z() + position_.z()};
   }
-  /// @param from in the robot's frame @param direction likewise @param range of the ray [m]
+  /// @param from in the robot's frame @param direction in the robot's frame @param range of the ray [m]
   Segment ray(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, double range) const {
     const double cosine = range * cosine_;
     const double sine = range * sine_;
@@ -54,8 +53,8 @@ class UprightPose {
   double sine_;
 };
 
-/// Which rays pass by an outline is looked up by where that is in the robot's frame: in a table of square cells, with a
-/// mask of rays each. Threads: const functions may run at once.
+/// Rays near an outline are looked up by the outline's position in the robot's frame, in a table of square cells with a
+/// mask of rays each. Threads: const functions may run concurrently.
 template <int count>
 class RayRing : public RingGeometry<count> {
  public:
@@ -80,14 +79,14 @@ class RayRing : public RingGeometry<count> {
 
   RayMask all() const { return ~RayMask{0} >> (64 - this->size()); }
 
-  /// All but the segments. @param pose of the robot
+  /// The bundle of all rays, without segments. @param pose of the robot
   RayBundle bundle(const Pose& pose) const {
     RayBundle rays;
     rays.radius = bundle_radius_;
     if (!pose.isUpright()) {
       rays.centre = pose.toWorld(middle_);
     } else {
-      rays.centre = pose.position + middle_;  // its place does not depend on where the robot heads
+      rays.centre = pose.position + middle_;  // independent of the robot's heading
       rays.lowest = pose.position.z() + lowest_ - kMargin;
       rays.highest = pose.position.z() + highest_ + kMargin;
     }
@@ -98,7 +97,7 @@ class RayRing : public RingGeometry<count> {
     const auto column = static_cast<Eigen::Index>(i);
     return pose.ray(this->from.col(column), this->direction.col(column), range_);
   }
-  /// All of them, whatever the pose. @param segments as many as there are sensors
+  /// Computes the segments of all rays, for any pose. @param segments output, one for each sensor
   void aim(const Pose& pose, Span<Segment> segments) const {
     const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
     const Eigen::Matrix3d ranging_rotation = range_ * rotation;
@@ -109,9 +108,9 @@ class RayRing : public RingGeometry<count> {
     }
   }
 
-  /// Calls at_circle(its centre in the robot's frame, its radius, the rays that pass by it) for each obstacle that is
-  /// exactly a circle to them, and at_solid(solid, the rays that may hit it) for each other one.
-  /// @pre the obstacles are not anywhere
+  /// Calls at_circle(centre in the robot's frame, radius, mask of the rays near it) for each obstacle that is exactly a
+  /// circle to the rays, and at_solid(solid, mask of the rays that may hit it) for each other one.
+  /// @pre !obstacles.areAnywhere()
   template <class AtCircle, class AtSolid>
   void visitNear(const Obstacles& obstacles, const UprightPose& pose, AtCircle at_circle, AtSolid at_solid) const {
     for (const Obstacles::Circle& circle : obstacles.circles()) {
@@ -131,18 +130,18 @@ class RayRing : public RingGeometry<count> {
     }
   }
 
-  /// As FlatRays::entryInto. @param middle in the robot's frame
+  /// As FlatRays::entryInto. @param middle centre of the circle in the robot's frame
   double entryInto(const Eigen::Vector2d& middle, double circle_radius, std::size_t i) const {
     return rays_.entryInto(middle, circle_radius, i);
   }
 
  private:
-  static constexpr int kCells = 40;        // of a table, each way: some 15 mm wide for a footbot
+  static constexpr int kCells = 40;        // of a table in each direction: some 15 mm wide for a footbot
   static constexpr double kMargin = 1e-6;  // m, for rounding
 
   using Table = std::array<RayMask, static_cast<std::size_t>(kCells) * kCells>;
 
-  /// Of circles up to a radius, by their middle.
+  /// Rays near circles up to a radius, by the cell of the circle's centre.
   struct CircleTable {
     double radius;  // m
     Table near;
@@ -150,7 +149,7 @@ class RayRing : public RingGeometry<count> {
 
   /// @param reach of the rays from the robot's origin [m]
   void fillTables(double reach) {
-    const double usual_radius = this->radius + kMargin;  // other robots of that kind are as wide as the ring
+    const double usual_radius = this->radius + kMargin;  // other robots of the type are as wide as the ring
     half_side_ = reach + usual_radius;
     by_circle_[0].radius = usual_radius / 3.0;  // grippers, legs and the like
     by_circle_[1].radius = usual_radius;
@@ -169,9 +168,9 @@ class RayRing : public RingGeometry<count> {
     }
   }
 
-  /// The rays that may hit something convex, whose point nearest to the robot's origin is at most `margin` from
-  /// `nearest`. All of it is beyond a straight line through that point, across the way to it; a point e is so if the
-  /// nearest point is in the circle from the origin to e (Thales).
+  /// Rays that may hit a convex obstacle whose closest point to the robot's origin is at most `margin` from `nearest`.
+  /// The obstacle lies beyond the line through that point perpendicular to the way to it. A point e lies beyond that
+  /// line if the closest point is in the circle with the diameter from the origin to e (Thales).
   RayMask beyondFace(const Eigen::Vector2d& nearest, double margin) const {
     RayMask mask = 0;
     for (std::size_t i = 0; i < this->size(); ++i) {
@@ -200,18 +199,18 @@ class RayRing : public RingGeometry<count> {
   }
 
   double range_;                                      // m
-  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  // on the z axis of the robot, as high as the sensors [m]
-  double bundle_radius_ = 0.0;                        // of a sphere around that point that holds all rays [m]
-  double lowest_ = kInfinity;                         // of the rays, in the robot's frame, m
-  double highest_ = -kInfinity;                       // likewise
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  // on the z axis of the robot, at the height of the sensors [m]
+  double bundle_radius_ = 0.0;                        // of a sphere around that point that contains all rays [m]
+  double lowest_ = kInfinity;                         // lowest height of the rays, in the robot's frame, m
+  double highest_ = -kInfinity;                       // highest height of the rays, in the robot's frame, m
   double half_side_ = 0.0;                            // of the tables, m
   double inverse_cell_ = 0.0;                         // 1/m
-  FlatRays<static_cast<std::size_t>(RingGeometry<count>::kMost)> rays_;  // from above, in the robot's frame
-  std::array<CircleTable, 2> by_circle_;                                 // narrow ones first
-  Table by_face_;  // of a box, by the point that is nearest to the robot's origin
+  FlatRays<static_cast<std::size_t>(RingGeometry<count>::kMost)> rays_;  // seen from above, in the robot's frame
+  std::array<CircleTable, 2> by_circle_;                                 // by ascending radius
+  Table by_face_;  // rays near a box, by the point of the box closest to the robot's origin
 };
 
-/// As Rings, for rays.
+/// As Rings, for RayRing.
 template <int count>
 class RayRings {
  public:

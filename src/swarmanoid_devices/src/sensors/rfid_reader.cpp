@@ -1,4 +1,4 @@
-// The reader of radio tags of any robot with an antenna.
+// The reader of radio tags, for any robot with an antenna.
 #include "overflow_notes.hpp"
 #include "span_readings.hpp"
 #include "swarmanoid_space/sensor.hpp"

@@ -1,4 +1,4 @@
-/// Where the sensors of a ring sit: families of sensors around a body find their places in the robot's description.
+/// Positions of the sensors of a ring: families of sensors around a body take them from the robot's description.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ namespace swarmanoid::devices {
 
 constexpr int kMostRingSensors = 64;
 
-/// The positions of the sensors on a model, in its body frame. @tparam count of them, or Eigen::Dynamic
+/// Positions and directions of the sensors of a model, in its body frame. @tparam count of sensors, or Eigen::Dynamic
 template <int count>
 struct RingGeometry {
   static constexpr int kMost = count == Eigen::Dynamic ? kMostRingSensors : count;
@@ -23,21 +23,21 @@ struct RingGeometry {
   Points from;
   Points direction;  // x axes of the links, of length 1
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double radius = 0.0;  // of the sensors around the centre, m
+  double radius = 0.0;  // of a sphere around the centre that contains the sensors, m
 
   std::size_t size() const { return static_cast<std::size_t>(from.cols()); }
 };
 
-/// The name of the links of a ring: the first of the names that the model has.
+/// Name of the links of a ring: the first of `names` that the model has, or names.front() if it has none.
 inline std::string ringNameOf(const EntityModel& model, const std::vector<std::string>& names) {
   const auto is_there = [&model](const std::string& name) { return model.mounts.count(name + "_0") > 0; };
   const auto found = std::find_if(names.begin(), names.end(), is_there);
   return found == names.end() ? names.front() : *found;
 }
 
-/// @param names of links of which a ring may be @param chosen the first of them that the model has, or the first of all
-/// @param found how many links of that name it has @param allowed of them
-/// @throws ConfigError that says so
+/// @param names possible names of the links @param chosen ringNameOf for these
+/// @param found number of links with the chosen name @param allowed number of links, as text
+/// @throws ConfigError always
 [[noreturn]] inline void refuseRing(const char* device, const EntityModel& model, const std::vector<std::string>& names,
                                     const std::string& chosen, Eigen::Index found, const std::string& allowed) {
   if (found == 0) {
@@ -55,8 +55,8 @@ inline std::string ringNameOf(const EntityModel& model, const std::vector<std::s
   throw ConfigError({}, text);
 }
 
-/// The ring of the links <name>_0, <name>_1, ..., of the first of the names that the model has.
-/// @throws ConfigError if the model has none, too few, or more than there may be
+/// The ring of the links <name>_0, <name>_1, ..., where <name> is the first of `names` that the model has.
+/// @throws ConfigError if the model has no such links, too few, or more than allowed
 template <int count>
 RingGeometry<count> ringOf(const EntityModel& model, const char* device, const std::vector<std::string>& names) {
   const std::string name = ringNameOf(model, names);
@@ -86,7 +86,7 @@ RingGeometry<count> ringOf(const EntityModel& model, const char* device, const s
   return ring;
 }
 
-/// The rings of the robots of one sensor; robots of one type share theirs.
+/// The rings of all robots with one sensor; robots of one type share theirs.
 template <int count>
 class Rings {
  public:
@@ -104,7 +104,7 @@ class Rings {
 
  private:
   struct Ring {
-    std::shared_ptr<const EntityModel> model;  // kept, so that no other model gets its address
+    std::shared_ptr<const EntityModel> model;  // kept alive, so that no other model gets its address
     std::shared_ptr<const RingGeometry<count>> geometry;
   };
 

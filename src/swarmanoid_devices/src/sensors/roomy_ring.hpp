@@ -1,5 +1,5 @@
-/// What rings with as many sensors as the robot has have in common: their readings are spans of values with the angles
-/// in which the sensors look, and stand in a buffer of the instance.
+/// Rings with as many sensors as the robot has: their readings are spans of values and bearings of the sensors, in a
+/// buffer of the instance.
 #pragma once
 
 #include <cmath>
@@ -10,10 +10,10 @@
 
 namespace swarmanoid::devices {
 
-/// An instance of a ring with room for the readings of all its sensors. @tparam Reading has `value` and `angle`
+/// An instance of a ring with a buffer for the readings of all its sensors. @tparam Reading has `value` and `angle`
 template <class Instance, class Reading>
 struct RoomyInstance : SpanReadings<Instance, Reading> {
-  /// @pre the ring is known
+  /// @pre the ring is set
   void makeRoomForRing() {
     this->readings->sensors = this->makeRoom(this->ring->size());
     for (Eigen::Index i = 0; i < this->ring->direction.cols(); ++i) {

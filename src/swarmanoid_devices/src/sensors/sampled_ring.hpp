@@ -1,18 +1,18 @@
 /// The implementation `sampled` of any ring of sensors, and the registration of rings with it.
 ///
-/// Readings are taken from a table of recorded ones by distance and angle (thesis 3.1; sample_table.hpp has the format
-/// of its file). What a sensor feels, and where, is found as by the ideal implementation, whose class it derives from;
-/// the table says what it reads then. A sensor that feels several things, such as lamps, reads the sum.
+/// Readings are taken from a table of recorded ones by distance and angle (thesis 3.1; sample_table.hpp has the file
+/// format). The ideal implementation, its base class, finds the stimuli of each sensor; the table gives the reading for
+/// each. A sensor with several stimuli, such as lamps, reads their sum.
 ///
-/// A family of rings has for it
+/// A family of rings needs for it
 ///
 ///     static constexpr SampledLaw kSampledLaw{...};
-///     double range() const;                   // as far as it feels anything [m]
-///     void setRange(const SampleTable&, const Configuration& parameters);  // that of the table
+///     double range() const;                   // maximum distance of a stimulus [m]
+///     void setRange(const SampleTable&, const Configuration& parameters);  // from the table
 ///     static std::vector<Parameter> parametersBesideTable();
 ///     template <class Visit> void visitFelt(const Space&, const Instance&, Visit visit) const;
 ///
-/// where visitFelt calls visit(sensor, distance [m], angle [rad], strength) for all that its sensors feel.
+/// where visitFelt calls visit(sensor, distance [m], angle [rad], strength) for each stimulus of its sensors.
 #pragma once
 
 #include <algorithm>
@@ -26,14 +26,14 @@
 
 namespace swarmanoid::devices {
 
-/// By how much farther than its table a sensor still feels, for rounding [m].
+/// Margin of a sensor's range beyond its table, for rounding [m].
 constexpr double kSampledMargin = 1e-9;
 
-/// What tables of a family are of.
+/// Properties of the tables of a family.
 struct SampledLaw {
   Stimulus stimulus;
-  Range readings;  ///< that are finite
-  double nothing;  ///< what is read where nothing is felt; infinite readings are allowed if this is
+  Range readings;  ///< range of the finite readings
+  double nothing;  ///< reading without a stimulus; infinite readings are allowed if this is infinite
 };
 
 template <class Ideal>
@@ -83,7 +83,7 @@ class SampledRing final : public Ideal, public SampledSensor {
     return {ring.from.col(column), ring.direction.col(column)};
   }
   double reading(std::size_t sensor) const override {
-    // a ring has no other way to a reading than the one by which it writes it
+    // valueOf takes a mutable instance, but nothing is written here
     Instance& instance = const_cast<Instance&>(this->instances_.front());
     return static_cast<double>(Ideal::valueOf(instance, sensor));
   }
@@ -108,12 +108,12 @@ class SampledRing final : public Ideal, public SampledSensor {
     }
   }
 
-  SampleTable table_;  // empty: it reads by the ideal law
+  SampleTable table_;  // empty: readings by the ideal law
 };
 
 }  // namespace swarmanoid::devices
 
-/// At the end of the source of a ring of sensors: registers it as it is, and with readings from a table.
+/// At the end of the source of a ring of sensors: registers it with the ideal law, and with readings from a table.
 #define REGISTER_RING(Class) \
   REGISTER_SENSOR(Class)     \
   REGISTER_SENSOR(::swarmanoid::devices::SampledRing<Class>)

@@ -1,6 +1,6 @@
-/// Finds who sends near a receiver. What receivers need to know of a sender is put together once a tick, in the order
-/// of the positional index, so that each reads it from neighbouring places of memory; and if few send at all, a radio
-/// that reaches everybody looks at these few, and not at everybody.
+/// Finds the senders near a receiver. The data of senders are collected once a tick, in the order of the positional
+/// index, so that receivers read them from contiguous memory. If few robots send at all, a radio with a long range
+/// checks these few, and not all robots in range.
 #pragma once
 
 #include <algorithm>
@@ -15,23 +15,23 @@
 
 namespace swarmanoid::devices {
 
-/// Somebody who sends, with a copy of what, so that who hears it finds both in one place.
+/// A sender with a copy of its command, so that receivers find both in one place in memory.
 template <class Command>
 struct Sender {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the transmitter, in W [m]
   EntityNumber number = kNoEntity;
   std::int32_t rank = 0;  ///< among all entities, by number
   Row row = kNoRow;
-  Command command;  ///< does not send if there is nobody
+  Command command;  ///< does not send if the place has no sender
 };
 
-/// All who send in this tick. Filled on one thread, then read by any number.
+/// All senders of this tick. Filled on one thread, then read by any number.
 /// @tparam Command of the senders' actuators
 template <class Command>
 class SenderTable {
  public:
-  /// Once a tick. @param few_for how few are kept besides, to be looked at one by one: so many that a receiver which
-  /// takes that many messages finds them sooner than around itself, where it would look at few_for * entities / senders
+  /// Called once a tick. @param few_for number of messages that a receiver takes. All senders are also kept in one list
+  /// if checking each is faster than searching the surroundings, which checks about few_for * entities / senders.
   void fill(const Space& space, const Bank<Command>& commands, std::size_t few_for) {
     transmitters_.clear();
     const std::vector<Row>& order = space.entities.order;
@@ -56,9 +56,9 @@ class SenderTable {
   }
 
   const Sender<Command>& at(PositionalIndex::Place place) const { return by_place_[place]; }
-  /// Those that the index keeps apart.
+  /// Senders with large outlines, which the index stores separately.
   const std::vector<Sender<Command>>& large() const { return large_; }
-  /// All of them, if they are few; else null.
+  /// All senders if they are few, else null.
   const std::vector<Sender<Command>>* few() const { return are_few_ ? &few_ : nullptr; }
 
  private:
@@ -89,25 +89,25 @@ class SenderTable {
   bool are_few_ = false;
 };
 
-/// Threads  each needs a SenderSearch of its own, and keeps it: its room grows to what was needed, and stays.
+/// Threads  one SenderSearch per thread, kept between calls: its buffers grow to the size needed, and stay.
 template <class Command>
 class SenderSearch {
  public:
   struct Found {
     const Sender<Command>* sender;
     double squared_range;  ///< from the receiver [m2]
-    std::size_t place;     ///< among those found, by entity number, once sorted
+    std::size_t place;     ///< rank in `found` by entity number, after sort()
   };
 
-  /// Fills `found` with those within a distance, in no stated order, and `near` with the places in the index of who
-  /// could hide them, unless few send. @param self who does not hear itself @param position of the own transmitter, in
-  /// W [m]
+  /// Fills `found` with the senders within a distance, in unspecified order, and `near` with the places in the index of
+  /// entities that could hide them, unless senders are few.
+  /// @param self does not receive its own messages @param position of its transmitter, in W [m]
   void find(const Space& space, const SenderTable<Command>& table, Row self, const Eigen::Vector3d& position,
             double reach) {
     near.clear();
     std::size_t count = 0;
-    // each has its place, which the next one takes if it is not in range: who is near is as random as branches are slow
-    // then
+    // without branches, which are slow on random data: each is written to the next place, which advances only if it is
+    // in range
     const auto keep_within = [&](const Sender<Command>& sender) {
       const double squared_range = (sender.position - position).squaredNorm();
       found[count] = {&sender, squared_range, 0};
@@ -128,7 +128,7 @@ class SenderSearch {
     found.resize(count);
   }
 
-  /// Puts `found` in the order of entity numbers.
+  /// Sorts `found` by entity number.
   void sort() {
     if (found.size() <= kFew) {
       sortFew();
@@ -146,10 +146,10 @@ class SenderSearch {
 
  private:
   static constexpr std::size_t kFew = 64;
-  static constexpr std::size_t kLanes = 4;  // that are compared at once
+  static constexpr std::size_t kLanes = 4;  // compared at once
 
-  /// Each goes after as many as are lower: without a branch that depends on an order which is random, and several
-  /// comparisons at once.
+  /// Rank sort: the index of each element is the number of lower ranks. It has no branch on the random order, and
+  /// compares several ranks at once.
   void sortFew() {
     alignas(16) std::array<std::int32_t, kFew> ranks;
     const std::size_t groups = (found.size() + kLanes - 1) / kLanes;

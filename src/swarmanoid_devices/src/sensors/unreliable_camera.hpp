@@ -11,7 +11,7 @@
 
 namespace swarmanoid::devices {
 
-/// Reads colours with white space between them. @throws ConfigError if there is none
+/// Parses colours separated by white space. @throws ConfigError if there is none
 inline std::vector<Color> readColors(const Configuration& parameters, const std::string& name) {
   const std::string text = parameters.text(name);
   const Configuration* given = parameters.find(name);
@@ -27,7 +27,7 @@ inline std::vector<Color> readColors(const Configuration& parameters, const std:
   return found;
 }
 
-/// A camera whose filter misses blobs, and takes noise for some: the implementation `unreliable` of any camera.
+/// A camera whose filter misses blobs, and adds false ones: the implementation `unreliable` of any camera.
 template <class Camera>
 class UnreliableCamera final : public Camera {
  public:
@@ -74,7 +74,8 @@ class UnreliableCamera final : public Camera {
   }
 
  private:
-  /// Draws how many there are in a tick: as many as waiting times fit into it (Poisson).
+  /// Draws the number of false blobs in a tick, Poisson distributed: the number of exponential waiting times that fit
+  /// into it.
   std::size_t falseBlobs(const Space& space, RandomStream& random) const {
     const double mean = false_blobs_ * toSeconds(space.clocktick);
     std::size_t count = 0;
@@ -92,7 +93,7 @@ class UnreliableCamera final : public Camera {
 
 }  // namespace swarmanoid::devices
 
-/// At the end of a camera's source: registers it as it is, and as an unreliable one.
+/// At the end of a camera's source: registers it with and without missed and false blobs.
 #define REGISTER_CAMERA(Class) \
   REGISTER_SENSOR(Class)       \
   REGISTER_SENSOR(::swarmanoid::devices::UnreliableCamera<Class>)

@@ -1,5 +1,5 @@
-/// What all sensors have in common that count how far two wheels turn: once a tick, from what the engine that moves the
-/// robot says (Space::wheel_turns), in whole steps of an encoder.
+/// Base class of sensors that measure the turns of two wheels: once a tick, from the engine that moves the robot
+/// (Space::wheel_turns), in whole steps of an encoder.
 #pragma once
 
 #include <string>
@@ -15,14 +15,14 @@ namespace swarmanoid::devices {
 template <class Device>
 struct WheelTurnInstance : BasicSensorInstance<Device> {
   EntityModel::Wheels wheels;
-  WheelTurns start;    // of the wheels, when the sensor was added [rad]
-  WheelTurns counted;  // since then [rad]
-  Device state;        // what is read, without errors
+  WheelTurns start;    // wheel turns when the sensor was added [rad]
+  WheelTurns counted;  // turned since then [rad]
+  Device state;        // readings without errors
   TickGuard tick;
 };
 
-/// `Counter` derives from this, and says what becomes of what the wheels have turned in a tick:
-/// `void count(const Space&, Instance&, const WheelTurns& turned, const WheelTurns& step, double dt)`, both in rad; it
+/// `Counter` derives from this, and computes its readings from the wheel turns of a tick:
+/// `void count(const Space&, Instance&, const WheelTurns& turned, const WheelTurns& step, double dt)`, both in rad,
 /// writes `state`.
 template <class Counter, class Device>
 class WheelTurnSensor : public SensorOf<Device, WheelTurnInstance<Device>> {
@@ -64,7 +64,7 @@ class WheelTurnSensor : public SensorOf<Device, WheelTurnInstance<Device>> {
 
  private:
   void senseOne(const Space& space, double dt, Instance& instance) {
-    if (instance.tick.begins(space.tick)) {  // if not, the wheels are as they were
+    if (instance.tick.begins(space.tick)) {  // otherwise the wheels have not moved
       const WheelTurns& now = space.wheel_turns[instance.row];
       const WheelTurns turned{WheelEncoders::counted(now.left - instance.start.left, ticks_per_turn_),
                               WheelEncoders::counted(now.right - instance.start.right, ticks_per_turn_)};

@@ -1,4 +1,4 @@
-// WiFi of any robot: what it receives, and from whom.
+// The WiFi receiver of any robot: messages and their senders.
 #include "radio_receiver.hpp"
 #include "swarmanoid_interface/devices/wifi.hpp"
 

@@ -11,9 +11,9 @@ Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vecto
   if (!(most > 0.0)) {
     return Eigen::Vector2d::Zero();
   }
-  // The slip that remains is slip + yield * friction, and friction = -remaining / resistance. The resistance is zero if
-  // friction ends the slip, otherwise that with which friction is as large as it may be: found by Newton's method on
-  // 1 / size, which comes up to it from any that is too small.
+  // The remaining slip is slip + yield * friction, with friction = -remaining / resistance. The resistance is zero if
+  // friction ends the slip. Otherwise it is the resistance at which the friction reaches its limit: Newton's method on
+  // 1 / size finds it, and converges from any smaller value.
   double resistance = std::max(0.0, slip.norm() / most - yield.trace());
   Eigen::Vector2d friction = Eigen::Vector2d::Zero();
   double size = most;

@@ -1,5 +1,5 @@
-/// What engines that hold grips have in common: how far a gripper reaches, which event reports a grip, and which grips
-/// of the structural tree an entity is part of.
+/// Shared by engines that simulate grips: the reach of a gripper, the event that reports a grip, and the grips of the
+/// structural tree that an entity is part of.
 #pragma once
 
 #include <sstream>
@@ -10,10 +10,10 @@
 
 namespace swarmanoid {
 
-/// From a gripper's tip to the gripping strip that it can close on [m].
+/// Distance from a gripper's tip to the gripping strip that it can close on [m].
 constexpr double kGripperReach = 0.02;
 
-/// The first gripper of a robot that is commanded, as an index of its holders; -1: there is none.
+/// The first commanded gripper of a robot, as an index into its holders; -1 if there is none.
 inline int commandedGripper(const Space& space, Row row) {
   const EntityModel& model = *space.entities.model[row];
   for (std::size_t i = 0; model.gripper && i < model.holders.size(); ++i) {
@@ -30,14 +30,14 @@ inline void reportGrip(Space& space, Event::Kind kind, Row gripper, Row gripped,
   space.events.push_back({kind, names[gripper], names[gripped], text});
 }
 
-/// The text of the event in which a grip ends that was pulled too hard. @param strength [N]
+/// Text of the event for a grip that ended because it was pulled too hard. @param strength [N]
 inline std::string tornText(double strength) {
   PlainTextStream text;
   text << "torn off: pulled with more than " << strength << " N";
   return text.str();
 }
 
-/// Calls visit(gripper, gripped) with the rows of every grip that an entity has, or is held by.
+/// Calls visit(gripper, gripped) with the rows of every grip of an entity, as gripper or as gripped.
 template <class Visit>
 void visitGripsOf(Row row, const StructuralTree& structure, Visit visit) {
   if (const Row gripped = structure.grippedBy(row); gripped != kNoRow) {

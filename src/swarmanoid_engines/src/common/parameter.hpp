@@ -1,4 +1,4 @@
-/// Short ways to write the parameters of engines. @see makeParameter
+/// Short forms for the parameters of engines. @see makeParameter
 #pragma once
 
 #include <sstream>
@@ -9,7 +9,7 @@
 
 namespace swarmanoid {
 
-/// One whose default is the value that the engine's settings start with.
+/// A number whose default is the initial value in the engine's settings.
 inline Parameter makeNumber(const std::string& name, const std::string& unit, double value, Range range,
                             const std::string& description) {
   PlainTextStream text;
@@ -17,7 +17,7 @@ inline Parameter makeNumber(const std::string& name, const std::string& unit, do
   return makeParameter(name, Parameter::Type::kNumber, unit, text.str(), range, description);
 }
 
-/// One that may change while an experiment runs. @see Engine::reconfigure
+/// A parameter that may change while an experiment runs. @see Engine::reconfigure
 inline Parameter live(Parameter parameter) {
   parameter.is_live = true;
   return parameter;

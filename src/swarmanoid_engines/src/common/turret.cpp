@@ -31,7 +31,7 @@ double freeTurn(const JointCommand& command, const EntityModel::Joint& joint, do
 }
 
 double motorSpeed(const JointCommand& command, const EntityModel::Joint& joint, double angle, double step) {
-  // a motor that can only just move its load would swing around an angle that it hurries to
+  // without this, a motor that can barely move its load would oscillate around its target angle
   constexpr double kApproach = 0.1;  // s
   double speed = 0.0;
   if (command.mode == JointCommand::Mode::kAngle) {

@@ -1,4 +1,4 @@
-/// What engines have in common that simulate turrets, joints that turn a gripper around a robot: which joint it is, and
+/// Shared by engines that simulate turrets, joints that turn a gripper around a robot: which joint is the turret, and
 /// the speed of its motor.
 #pragma once
 
@@ -7,15 +7,14 @@
 
 namespace swarmanoid {
 
-/// The joint that is the turret of a robot: the first that the body carries and that turns without end about body z.
-/// @return its index; -1: there is none
+/// The joint that is the turret of a robot: the first joint on the body that turns endlessly about body z.
+/// @return its index; -1 if there is none
 int turretJoint(const EntityModel& model);
 
-/// Where a turret that nothing hinders stands after a step [s]; a passive one stays.
+/// Angle of an unobstructed turret after a step [s]; a passive turret stays.
 double freeTurn(const JointCommand& command, const EntityModel::Joint& joint, double angle, double step);
 
-/// The speed at which the motor of a turret that holds something turns for a step [s], if its torque suffices
-/// [rad/s].
+/// Speed of a turret's motor under load during a step [s], if its torque suffices [rad/s].
 double motorSpeed(const JointCommand& command, const EntityModel::Joint& joint, double angle, double step);
 
 }  // namespace swarmanoid

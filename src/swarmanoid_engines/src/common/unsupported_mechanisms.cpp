@@ -9,7 +9,8 @@ bool isDrive(const Mechanism& mechanism) {
   return mechanism.kind == Mechanism::Kind::kWheels || mechanism.kind == Mechanism::Kind::kFlight;
 }
 
-/// The joint or the holder that both are, "joint 'turret'" or "joints" if they are all of a robot; "" if there is none.
+/// The joint or holder that both refer to, such as "joint 'turret'"; "joints" if they refer to all of a robot; "" if
+/// there is none.
 std::string commonPart(const Mechanism& a, const Mechanism& b) {
   const bool is_joint = a.kind == Mechanism::Kind::kJoint;
   const bool is_part = is_joint || a.kind == Mechanism::Kind::kHolder;
@@ -21,7 +22,7 @@ std::string commonPart(const Mechanism& a, const Mechanism& b) {
   return name.empty() ? part + "s" : part + " '" + name + "'";
 }
 
-/// The joint or the holder that both devices command; "" if there is none.
+/// The joint or holder that both devices command; "" if there is none.
 std::string commonPart(const DeviceUse& a, const DeviceUse& b) {
   if (a.kind != DeviceKind::kActuator || b.kind != DeviceKind::kActuator) {
     return "";

@@ -1,4 +1,4 @@
-/// What all engines ask of the mechanisms of an entity that they are to move.
+/// Requirements of all engines on the mechanisms of an entity.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace swarmanoid {
 
-/// Why such an entity cannot be moved with these devices: it has no shape, not the mechanisms that they work with, or
-/// two of them would drive it, or command the same joint or holder; "" if nothing speaks against it.
+/// Reason why an engine cannot move such an entity with these devices, or "". The entity must have a shape and the
+/// mechanisms of all its devices; only one device may drive it, and no two may command the same joint or holder.
 std::string unsupportedMechanismsReason(const EntityModel& model, const std::vector<DeviceUse>& devices);
 
-/// Whether a device works with a joint or a holder of that name.
+/// Whether a device works with the joint or holder of that name.
 bool worksWith(const DeviceUse& device, Mechanism::Kind kind, const std::string& name);
 
 }  // namespace swarmanoid

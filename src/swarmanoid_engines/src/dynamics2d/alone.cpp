@@ -1,5 +1,5 @@
-// Bodies that nothing can reach in a tick are moved alone, without a search for contacts that cannot be there. In a
-// swarm those are nearly all robots, so the others can be moved in as fine steps as they need.
+// Bodies that nothing can reach in a tick move alone, without a search for contacts. In a swarm those are nearly all
+// robots, which leaves time for steps as fine as the other bodies need.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 namespace swarmanoid::dynamics2d {
 namespace {
-constexpr double kFastWay = 0.14;  // m in a tick: for so few, others need not look around each time
+constexpr double kFastWay = 0.14;  // m in a tick: the few faster bodies search for all others
 }  // namespace
 
 Dynamics2d::Rates Dynamics2d::highestRates(BodyIndex index) {
@@ -31,7 +31,7 @@ void Dynamics2d::measureWay(BodyIndex index, double tick, double jump) {
   const bool was_fast = rigid_body.is_fast;
   rigid_body.is_fast = rigid_body.way > kFastWay;
   if (was_fast && !rigid_body.is_fast) {
-    travelled_ += kLookAhead;  // searches since it became fast have not counted it
+    travelled_ += kLookAhead;  // searches made while it was fast did not count it
   }
   longest_way_ = std::max(longest_way_, rigid_body.way);
   if (!rigid_body.is_fast) {
@@ -81,7 +81,7 @@ void Dynamics2d::warnOthers(BodyIndex index) {
       const bool is_news = !reached.is_reached;
       reached.is_reached = true;
       if (is_news && !reached.is_fast && other.is_movable && other.role == Role::kMove) {
-        reached.is_fast = true;  // if it is hit
+        reached.is_fast = true;  // it may be hit
         reached.way = rigid_body.way;
         warnOthers(other_index);
       }
@@ -102,7 +102,7 @@ void Dynamics2d::lookAround(BodyIndex index) {
     }
     return true;
   });
-  rigid(index).free_until = travelled_ + 0.5 * gap;  // both may come
+  rigid(index).free_until = travelled_ + 0.5 * gap;  // both bodies may approach
 }
 
 void Dynamics2d::moveAlone(double tick) {

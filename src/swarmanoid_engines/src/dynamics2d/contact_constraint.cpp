@@ -6,10 +6,9 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-/// How deep bodies may rest in each other [m].
+/// Depth to which bodies may rest in each other [m].
 constexpr double kSlop = 1e-5;
-/// What a correction moves bodies apart by at most [m]: where they are far in each other, more would throw them through
-/// others.
+/// Limit of one correction of a depth [m]: larger corrections of deep overlaps would throw bodies through others.
 constexpr double kMostCorrection = 5e-3;
 
 Eigen::Vector2d leftOf(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
@@ -27,7 +26,7 @@ void SolverBody::shift(const Eigen::Vector2d& impulse, const Eigen::Vector2d& ar
 }
 
 void ContactConstraint::prepare(const SolverBodies& bodies, double step) {
-  constexpr double kFastestOut = 0.3;  // m/s: with which what a mirror is put upon leaves it
+  constexpr double kFastestOut = 0.3;  // m/s: of a body that leaves a mirror placed onto it
   const SolverBody& body_a = bodies[static_cast<std::size_t>(a)];
   const SolverBody& body_b = bodies[static_cast<std::size_t>(b)];
   const bool has_limit = std::isfinite(most);
@@ -102,7 +101,7 @@ double ContactConstraint::solve(SolverBodies& bodies) {
 }
 
 std::array<double, 2> ContactConstraint::normalImpulses(const SolverBody& body_a, const SolverBody& body_b) const {
-  std::array<double, 2> wrong{};  // what is to be taken from the speeds
+  std::array<double, 2> wrong{};  // speeds that the impulses have to cancel [m/s]
   for (int i = 0; i < patch.count; ++i) {
     const Point& point = points[static_cast<std::size_t>(i)];
     wrong[static_cast<std::size_t>(i)] =
@@ -119,7 +118,7 @@ std::array<double, 2> ContactConstraint::normalImpulses(const SolverBody& body_a
     }
     return result;
   }
-  // Both together: the bodies would turn about one point after the other otherwise, for hundreds of sweeps.
+  // Solved together: otherwise the bodies would turn about one point after the other, for hundreds of sweeps.
   const double yield_0 = 1.0 / points[0].normal_mass;
   const double yield_1 = 1.0 / points[1].normal_mass;
   const double both_0 = points[0].impulse - coupling_ * (yield_1 * wrong[0] - cross_yield_ * wrong[1]);
@@ -127,7 +126,7 @@ std::array<double, 2> ContactConstraint::normalImpulses(const SolverBody& body_a
   if (both_0 >= 0.0 && both_1 >= 0.0) {
     return {std::min(both_0, most), std::min(both_1, most)};
   }
-  // one of them carries all
+  // one point carries all of the load
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const std::size_t other = 1 - i;
     const double without = wrong[i] - cross_yield_ * points[other].impulse;

@@ -11,7 +11,7 @@ namespace {
 
 b2Vec2 toFloat(const Eigen::Vector2d& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 
-/// Where `b` is in the frame of `a`.
+/// Pose of `b` in the frame of `a`.
 b2Transform relativePose(const planar::PlacedPose& a, const planar::PlacedPose& b) {
   b2Transform relative;
   relative.p = toFloat(a.unrotated(b.position - a.position));
@@ -20,7 +20,7 @@ b2Transform relativePose(const planar::PlacedPose& a, const planar::PlacedPose& 
   return relative;
 }
 
-/// The side whose normal Box2D has found to separate best.
+/// The side whose normal is nearest to Box2D's separating normal.
 int sideAlong(const ContactShape& shape, const b2Vec2& normal) {
   int best = 0;
   for (int i = 1; i < shape.count; ++i) {
@@ -35,7 +35,7 @@ const Eigen::Vector2d& corner(const ContactShape& shape, int i) {
   return shape.corners[static_cast<std::size_t>(i % shape.count)];
 }
 
-/// @param polygon of body a, where the polygon comes first, @param circle of body b
+/// The polygon belongs to body a of the patch, the circle to body b.
 ContactPatch polygonAndCircle(const ContactShape& polygon, const planar::PlacedPose& polygon_pose,
                               const ContactShape& circle, const planar::PlacedPose& circle_pose, double margin) {
   ContactPatch patch;
@@ -68,7 +68,7 @@ ContactPatch polygonAndCircle(const ContactShape& polygon, const planar::PlacedP
   patch.side = polygon.normals[static_cast<std::size_t>(side)];
   point.on_a = corner(polygon, side);
   point.key = static_cast<std::uint32_t>(16 + side);
-  // the point of the side that faces the middle of the circle
+  // the point of the side that faces the centre of the circle
   const Eigen::Vector2d middle =
       polygon_pose.unrotated(circle_pose.position + circle_pose.rotated(circle.centre) - polygon_pose.position);
   const Eigen::Vector2d along(-patch.side.y(), patch.side.x());
@@ -76,14 +76,14 @@ ContactPatch polygonAndCircle(const ContactShape& polygon, const planar::PlacedP
   return patch;
 }
 
-/// A polygon of a pair, where its body is now and where Box2D has it.
+/// A polygon of a pair, with the current pose of its body and the pose that Box2D uses.
 struct PlacedPolygon {
   const ContactShape& shape;
   const planar::PlacedPose& pose;
   const b2Transform& single;
 };
 
-/// The side that faces another polygon's side most, by the same arithmetic with which Box2D chooses it.
+/// The side that faces another polygon's side most, by the same arithmetic as in Box2D.
 int incidentSide(const PlacedPolygon& reference, int side, const PlacedPolygon& incident) {
   const b2Vec2 normal = b2MulT(incident.single.q, b2Mul(reference.single.q, reference.shape.polygon.m_normals[side]));
   int best = 0;
@@ -98,7 +98,8 @@ int incidentSide(const PlacedPolygon& reference, int side, const PlacedPolygon& 
   return best;
 }
 
-/// Where the line through a side crosses the line `along . (p - end) = 0`; the side's start if it runs along that line.
+/// Intersection of the line through a side with the line `along . (p - end) = 0`; the side's start if they are
+/// parallel.
 Eigen::Vector2d cutAt(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& end,
                       const Eigen::Vector2d& along) {
   constexpr double kParallel = 1e-12;  // m
@@ -106,8 +107,8 @@ Eigen::Vector2d cutAt(const Eigen::Vector2d& from, const Eigen::Vector2d& to, co
   return std::abs(change) > kParallel ? Eigen::Vector2d(from - along.dot(from - end) / change * (to - from)) : from;
 }
 
-/// Computes a pair of points anew, in double precision: a corner of `incident`, or its side where that ends at a corner
-/// of `reference`; and the point of the reference's side that faces it.
+/// Recomputes a pair of points in double precision: a corner of `incident`, or its side cut at a corner of `reference`;
+/// and the point of the reference's side that faces it.
 void placeOnSide(const PlacedPolygon& reference, int side, const PlacedPolygon& incident, b2ContactFeature feature,
                  Eigen::Vector2d& on_reference, Eigen::Vector2d& on_incident) {
   const Eigen::Vector2d& normal = reference.shape.normals[static_cast<std::size_t>(side)];

@@ -1,8 +1,7 @@
-/// Where two shapes touch, or are so near that they may within a step.
+/// Contact points of two shapes that touch, or may touch within a step.
 ///
-/// Box2D finds which corners and sides face each other, from the pose of one shape relative to the other; where they
-/// are is computed here, in double precision. So contacts do not depend on where in the world they are, nor on its
-/// axes.
+/// Box2D finds which corners and sides face each other, from the relative pose of the shapes; their positions are
+/// computed here, in double precision. So contacts do not depend on the position in the world, nor on its axes.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,34 +20,34 @@ constexpr double kContactMargin = 1e-3;
 struct FacingPoints {
   Eigen::Vector2d on_a = Eigen::Vector2d::Zero();
   Eigen::Vector2d on_b = Eigen::Vector2d::Zero();
-  std::uint32_t key = 0;  ///< which features they are: equal in the next step if these face each other still
+  std::uint32_t key = 0;  ///< identifies the features: equal in the next step if the same ones still face each other
 };
 
 struct ContactPatch {
-  /// What the normal keeps to when bodies move: the side of a polygon, or the line between the two points.
+  /// The normal as bodies move: that of a polygon's side, or the line between the two points.
   enum class Kind : std::uint8_t { kPoints, kSideOfA, kSideOfB };
 
   Kind kind = Kind::kPoints;
-  int count = 0;                                   ///< of points; 0: the shapes are farther apart than asked for
+  int count = 0;                                   ///< of points; 0: the shapes are farther apart than the margin
   Eigen::Vector2d side = Eigen::Vector2d::Zero();  ///< normal of that side, out of its body, in its frame
-  double radius_a = 0.0;                           ///< from `on_a` to the surface; 0 but for circles [m]
-  double radius_b = 0.0;                           ///< from `on_b` [m]
+  double radius_a = 0.0;                           ///< from `on_a` to the surface; 0 except for circles [m]
+  double radius_b = 0.0;                           ///< from `on_b` to the surface [m]
   std::array<FacingPoints, 2> points;
 };
 
-/// A pair of facing points where their bodies are now.
+/// A pair of facing points at the current poses of their bodies.
 struct Facing {
   Eigen::Vector2d normal;  ///< from a to b
   Eigen::Vector2d arm_a;   ///< from the centre of mass to the surface, in the plane's axes [m]
-  Eigen::Vector2d arm_b;   ///< the same of b [m]
-  double gap;              ///< below 0: how deep they are in each other [m]
+  Eigen::Vector2d arm_b;   ///< as arm_a, for b [m]
+  double gap;              ///< below 0: depth of penetration [m]
 };
 
-/// @param a, b poses of the centres of mass; @param margin that is looked at: gaps are below it [m]
+/// @param a, b poses of the centres of mass; @param margin largest gap of contacts [m]
 ContactPatch findPatch(const ContactShape& shape_a, const planar::PlacedPose& a, const ContactShape& shape_b,
                        const planar::PlacedPose& b, double margin);
 
-/// @param point number of it
+/// @param point its index in the patch
 inline Facing facingAt(const ContactPatch& patch, int point, const planar::PlacedPose& a, const planar::PlacedPose& b) {
   constexpr double kSame = 1e-9;  // m
   const FacingPoints& points = patch.points[static_cast<std::size_t>(point)];

@@ -15,7 +15,7 @@ double heightOver(const Eigen::Vector2d& before, const Eigen::Vector2d& corner, 
   return planar::cross(line, before - corner) / std::max(line.norm(), kFlat);
 }
 
-/// Leaves out the flattest corner, again and again, until none is flat.
+/// Removes the flattest corner repeatedly, until none is flat.
 void simplify(std::vector<Eigen::Vector2d>& corners) {
   while (corners.size() > 3) {
     std::size_t flattest = 0;
@@ -44,7 +44,7 @@ void finishPolygon(ContactShape& shape) {
     shape.centre += shape.corners[at] / shape.count;
   }
   shape.radius = 0.0;
-  // b2PolygonShape::Set welds corners, orders them anew and asserts; these are convex and in order already
+  // b2PolygonShape::Set welds corners, reorders them and asserts; these are convex and in order already
   shape.polygon.m_count = shape.count;
   shape.polygon.m_radius = 0.0F;
   const auto toFloat = [](const Eigen::Vector2d& v) {

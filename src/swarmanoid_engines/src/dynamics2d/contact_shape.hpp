@@ -1,5 +1,5 @@
-/// The shapes of a body as contacts see them: circles and convex polygons in double precision, and the same polygons as
-/// Box2D takes them.
+/// Shapes of a body for contacts: circles and convex polygons in double precision, and the same polygons in the format
+/// of Box2D.
 ///
 /// Frame: the body's centre of mass, at heading 0. Units: metres.
 #pragma once
@@ -36,20 +36,20 @@ struct ContactShape {
   }
 
   bool is_circle = false;
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the circle, or the middle of the corners
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the circle, or mean of the corners
   double radius = 0.0;                   ///< of the circle, or of one around `centre` that holds the polygon
   int count = 0;                         ///< of corners
   Corners corners = noCorners();         ///< counter-clockwise
-  Corners normals = noCorners();         ///< outwards; number i of the side from corner i to the next
+  Corners normals = noCorners();         ///< outwards; index i: of the side from corner i to the next
   b2PolygonShape polygon = noPolygon();  ///< the polygon in Box2D's single precision
   planar::Band band;                     ///< of heights, relative to the body's origin
   std::size_t number = 0;                ///< of the shape in the body's model
 };
 
-/// Replaces `shapes` by those of a model, and keeps their memory. Polygons with more corners than Box2D allows become
-/// several, which share sides. Corners within a micrometre of the line between their neighbours are left out, so sides
-/// have a direction and no assertion of Box2D is reached, whatever the model. @param arm from the origin to the centre
-/// of mass
+/// Replaces `shapes` by those of a model, reusing their memory. Polygons with more corners than Box2D allows are split
+/// into several that share sides. Corners within a micrometre of the line between their neighbours are left out, so
+/// that sides have a direction and no assertion of Box2D is reached, whatever the model. @param arm from the origin to
+/// the centre of mass
 void makeContactShapes(const planar::PlanarModel& model, const Eigen::Vector2d& arm, std::vector<ContactShape>& shapes);
 
 }  // namespace swarmanoid::dynamics2d

@@ -1,4 +1,4 @@
-// What the engine simulates, as lines.
+// Debug drawing of the engine.
 #include "dynamics2d/dynamics2d.hpp"
 #include "planar/draw_bodies.hpp"
 #include "planar/gripper_reach.hpp"

@@ -1,6 +1,6 @@
-// What drives robots that are alone: treels that push on the ground, and flight. A robot gets in each step the forces
-// that bring it to the commanded velocity within that step, as far as the ground holds; a treel that slips is held back
-// against its slip. In islands the same is solved together with contacts (drive_constraints.cpp).
+// Drives of robots that are alone: treels that push on the ground, and flight. In each step a robot gets the forces
+// that bring it to the commanded velocity within that step, as far as the ground holds; the friction of a slipping
+// treel opposes its slip. In islands the same is solved together with contacts (drive_constraints.cpp).
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ Eigen::Vector2d limited(const Eigen::Vector2d& force, double most) {
   return squared > most * most ? Eigen::Vector2d(force * (most / std::sqrt(squared))) : force;
 }
 
-/// @param velocity of the centre of mass at heading 0, @param spin before the step
+/// @param velocity of the centre of mass at heading 0 @param spin both before the step
 Push treelPush(const RigidBody& rigid_body, const Eigen::Vector2d& velocity, double spin, double step) {
   PlanarTwist excess;
   excess << velocity - rigid_body.centre_advance / step, spin - rigid_body.turn_rate;
@@ -28,7 +28,7 @@ Push treelPush(const RigidBody& rigid_body, const Eigen::Vector2d& velocity, dou
   return {sum.head<2>(), sum.z()};
 }
 
-/// Likewise.
+/// Parameters as above.
 Push flightPush(const RigidBody& rigid_body, const Eigen::Vector2d& velocity, double spin, double step) {
   const double most = rigid_body.inertia * kFlightTurnAcceleration;
   return {limited(rigid_body.mass / step * (rigid_body.centre_advance / step - velocity),

@@ -1,4 +1,4 @@
-// Drives and friction with the ground: what holds a body by itself.
+// Constraints of single bodies: drives and friction with the ground.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -8,13 +8,13 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-/// At heading 0.
+/// Velocity and turn rate of a body at heading 0.
 PlanarTwist twistOf(const SolverBody& body) {
   const Eigen::Vector2d velocity = body.pose.unrotated(body.velocity);
   return {velocity.x(), velocity.y(), body.spin};
 }
 
-/// @param impulse with that of torque, at heading 0 @return by how much the velocity changes
+/// @param impulse along x and y, and of torque, at heading 0 @return change of the velocity
 double give(SolverBody& body, const Eigen::Vector3d& impulse) {
   const Eigen::Vector3d change = impulse.cwiseProduct(body.inverseInertia());
   body.velocity += body.pose.rotated(change.head<2>());

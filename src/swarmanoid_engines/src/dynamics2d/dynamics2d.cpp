@@ -1,4 +1,4 @@
-// What changes in the engine between ticks: parameters, entities and their poses.
+// Changes of the engine between ticks: parameters, entities and their poses.
 #include "dynamics2d/dynamics2d.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ Material readMaterial(const Configuration& parameters) {
   return result;
 }
 
-/// Shapes need an extent, and forces move nothing without mass.
+/// Reason why a model is not supported, or "": shapes need an extent, and movable entities mass and inertia.
 std::string problemWithModel(const EntityModel& model) {
   if (model.is_movable && !(model.mass > 0.0 && model.inertia.diagonal().minCoeff() > 0.0)) {
     return "has no mass or no inertia, so forces cannot move it";
@@ -104,7 +104,7 @@ void Dynamics2d::add(Space& space, Row row, Role role) {
   takeOverGrips(space, index);
 }
 
-/// Of what is moved here; what is not turns about its origin.
+/// Mass properties of a body that this engine moves; other bodies turn about their origin.
 void Dynamics2d::measureMass(BodyIndex index) {
   const Body& body = bodies_[index];
   RigidBody& rigid_body = rigid(index);
@@ -127,13 +127,13 @@ void Dynamics2d::takeMotion(const Space& space, BodyIndex index) {
   const Twist& twist = space.entities.twist[body.row];
   const Eigen::Vector2d arm = body.pose.rotated(rigid_body.arm);
   rigid_body.spin = plane.along(twist.angular);
-  // a mirror goes straight to where its entity's arc leads
+  // a mirror moves straight to the end of its entity's arc
   const Eigen::Vector3d linear =
       body.role == Role::kMirror ? meanVelocity(twist, toSeconds(space.clocktick)) : twist.linear;
   rigid_body.velocity = plane.toLocal(linear) + rigid_body.spin * Eigen::Vector2d(-arm.y(), arm.x());
 }
 
-/// Its shapes are others now.
+/// Drops the contact shapes and the support of a body whose shapes have changed.
 void Dynamics2d::forgetShapes(BodyIndex index) {
   rigid(index).shapes.clear();
   rigid(index).support.points.clear();

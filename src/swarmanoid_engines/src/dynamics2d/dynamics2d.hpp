@@ -1,21 +1,22 @@
 /// The two-dimensional dynamic engine (thesis 3.5.2): rigid bodies on a plane, with mass, friction with the ground,
 /// collisions and grips. Box2D finds contacts; forces are solved in double precision.
 ///
-/// Gravity presses bodies on the plane; in it nothing pulls them. Preys and blocks slide with Coulomb friction on each
-/// element of what they stand on (support.hpp). Treels drive a footbot with the force that their commanded speeds ask
-/// for, up to what the ground holds: beyond, they slip. Flight pushes an eyebot towards its commanded velocity with
-/// limited acceleration. What would lead out of the plane is dropped. A gripper holds anything with a gripping strip
-/// (preys, footbots, handbots), as a rigid joint that tears at a stated force; several may hold one object, and chains
-/// are allowed, as far as the structural tree is (thesis 3.4).
+/// Gravity presses bodies onto the plane and has no component along it. Preys and blocks slide with Coulomb friction on
+/// each element of their support (support.hpp). Treels drive a footbot with the force that their commanded speeds need,
+/// up to the friction limit of the ground; beyond it they slip. Flight pushes an eyebot towards its commanded velocity
+/// with limited acceleration. Velocity out of the plane is dropped. A gripper holds any body with a gripping strip
+/// (preys, footbots, handbots) by a rigid joint that tears at a given force; several may hold one object, and chains
+/// are allowed, as far as the structural tree allows them (thesis 3.4).
 ///
 /// A body in the gripper of a robot with a turret turns about the robot's centre, by a motor with no more than the
 /// turret's torque: a load that is too heavy to turn turns the robot instead. A turret without load turns as commanded,
-/// and stops before its gripper would sink into something.
+/// and stops before its gripper would penetrate another body.
 ///
-/// Bodies that nothing can reach in a tick are moved alone. Bodies that may meet form islands (island.hpp), which move
-/// one after another, each in as fine steps as its own motion needs.
+/// Bodies that nothing can reach in a tick move alone. Bodies that may meet form islands (island.hpp), which move one
+/// after another, each in steps as fine as its own motion needs.
 ///
-/// A mirror is a body that nothing pushes: it is where the space says, and moves through the tick with its last twist.
+/// A mirror is a body that no force moves: it has the pose from the space, and moves through the tick with its last
+/// twist.
 #pragma once
 
 #include <utility>
@@ -28,19 +29,19 @@
 
 namespace swarmanoid::dynamics2d {
 
-/// Parameters of the engine, which may change live but for `pressure`; SI units.
+/// Parameters of the engine; all but `pressure` may change live. SI units.
 struct Material {
-  int iterations = 1000;                ///< at most, of the solver of an island, in each step
-  double gravity = 9.81;                ///< that presses on the plane [m/s2]
-  double ground_friction = 0.4;         ///< of what slides
+  int iterations = 1000;                ///< limit for the solver of an island, in each step
+  double gravity = 9.81;                ///< presses bodies onto the plane [m/s2]
+  double ground_friction = 0.4;         ///< of sliding bodies
   double treel_friction = 0.9;          ///< of treels
   double contact_friction = 0.3;        ///< between bodies
   double restitution = 0.0;             ///< between bodies
-  Pressure pressure = Pressure::kEven;  ///< how weights are spread over what bodies stand on
+  Pressure pressure = Pressure::kEven;  ///< distribution of a body's weight over its support
   double grip_strength = 50.0;          ///< a grip tears beyond it [N]
 };
 
-/// A contact as it is shown.
+/// A contact for drawings.
 struct DrawnContact {
   BodyIndex body = kNoBody;
   Eigen::Vector2d point;   ///< in the plane [m]
@@ -65,7 +66,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void draw(EngineDrawing& drawing) const override;
   double gravity() const override { return material_.gravity; }
 
-  /// How many bodies moved in islands in the last tick; the others were alone.
+  /// Number of bodies that moved in islands in the last tick; the others were alone.
   std::size_t bodiesInIslands() const { return present_.size(); }
 
  private:
@@ -83,13 +84,13 @@ class Dynamics2d final : public planar::PlanarEngine {
   void finishTick(Space& space, double tick);
 
   // alone.cpp
-  /// What a body may reach in this tick by itself: its own as it is, or its command if that is more.
+  /// Bounds on the motion of a body by itself in this tick: the current or the commanded one, whichever is larger.
   struct Rates {
     double speed;  ///< of its centre of mass [m/s]
     double turn;   ///< rad/s
   };
   Rates highestRates(BodyIndex index);
-  /// Of any point of its outline [m/s].
+  /// Upper bound for any point of its outline [m/s].
   double highestSpeed(BodyIndex index);
   void measureWay(BodyIndex index, double tick, double jump);
   void sortOut();
@@ -102,7 +103,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void driveAlone(BodyIndex index, double step, int steps);
 
   // islands.cpp
-  /// Two bodies that may meet in a tick. The first one is present; the second one may be what nothing moves.
+  /// Two bodies that may meet in a tick. The first one is present; the second one may be a mirror or fixed.
   using Near = std::pair<BodyIndex, BodyIndex>;
   void findNear();
   void joinIslands();
@@ -110,15 +111,15 @@ class Dynamics2d final : public planar::PlanarEngine {
   void moveIslands(double tick);
 
   // move_island.cpp
-  /// `members_` and `near_of_island_` to `island_`.
+  /// Copies `members_` and `near_of_island_` to `island_`.
   void fillIsland();
   int placeOf(BodyIndex index);
   void addPair(const Near& near);
-  /// Whether its bodies hold each other, or may touch in a tick [s] at the speeds that they have or are commanded.
+  /// Whether the island has grips, or its bodies may touch in a tick [s] at their current or commanded speeds.
   bool mayTouch(double tick) const;
-  /// Whether something in it is held, or slides on the ground.
+  /// Whether the island has grips, or bodies that slide on the ground.
   bool hasLoad() const;
-  /// In how many pieces each step of the island is made in this tick. @param step [s]
+  /// Number of pieces of each step of the island in this tick. @param step [s]
   int countPieces(double step);
   void moveIsland(double tick);
   BodyNumbers numbersOf(int place_a, int place_b) const;
@@ -129,14 +130,14 @@ class Dynamics2d final : public planar::PlanarEngine {
   const Support& supportOf(BodyIndex index);
   void addGrip(BodyIndex index);
   void readGrips(double step);
-  /// From `island_` to its bodies, after its last step. @param step that had [s]
+  /// Copies `island_` to its bodies, after its last step. @param step length of that step [s]
   void readIsland(double step);
   void readMotions();
-  /// For drawings.
+  /// For drawings, and to start the treels of large islands in the next tick.
   void noteForces(double step);
 
   // turret.cpp
-  /// Of the island.
+  /// Drives the turrets of the island.
   void driveTurrets(double step);
   void turnFreely(planar::Turret& turret, double step);
   double gapAround(const planar::Turret& turret, const PlanarModel& model);
@@ -154,29 +155,29 @@ class Dynamics2d final : public planar::PlanarEngine {
   void letGo(BodyIndex gripper);
   void forgetGrips(BodyIndex index);
   void takeOverGrips(const Space& space, BodyIndex index);
-  /// Of the island. @param time since that was last done [s]
+  /// Tears the overloaded grips of the island. @param time since the last call [s]
   void tearGrips(double time);
 
-  /// How far any body comes without the others seeing it before it looks around again [m].
+  /// Range of a search for neighbours [m]. Adding it to travelled_ makes all bodies search again.
   static constexpr double kLookAhead = 0.3;
 
   Material material_;
   double longest_way_ = 0.0;             // m, of any body in this tick
-  double longest_slow_way_ = 0.0;        // m, of those that are not fast
-  double travelled_ = 0.0;               // m, no body that was not fast has moved farther since the start
+  double longest_slow_way_ = 0.0;        // m, of bodies that are not fast
+  double travelled_ = 0.0;               // m, upper bound on the motion of bodies that are not fast, since the start
   std::vector<RigidBody> rigid_bodies_;  // by body
-  std::vector<BodyIndex> movers_;        // all that the engine moves, by entity number
-  std::vector<BodyIndex> present_;       // those of them that something may reach in this tick, by entity number
-  std::vector<BodyIndex> mirrors_;       // that may move, by entity number
-  std::vector<BodyIndex> grippers_;      // that hold something, by entity number
+  std::vector<BodyIndex> movers_;        // bodies that the engine moves, by entity number
+  std::vector<BodyIndex> present_;       // movers in islands of this tick, by entity number
+  std::vector<BodyIndex> mirrors_;       // movable ones, by entity number
+  std::vector<BodyIndex> grippers_;      // bodies that hold something, by entity number
 
   std::vector<Near> near_;           // of this tick, by entity numbers
-  std::vector<int> roots_;           // by rank: one of the same island, with a lower rank
-  std::vector<BodyIndex> members_;   // of the island that moves, by place; then mirrors and what stands
-  std::size_t movable_members_ = 0;  // of them
+  std::vector<int> roots_;           // by rank: a body of the same island, with a lower rank
+  std::vector<BodyIndex> members_;   // of the current island, by place; then its mirrors and fixed bodies
+  std::size_t movable_members_ = 0;  // number of them
   std::vector<Near> near_of_island_;
-  std::vector<std::pair<int, int>> order_of_islands_;  // root and rank of those present
-  Island island_;                                      // that moves
+  std::vector<std::pair<int, int>> order_of_islands_;  // root and rank of present bodies
+  Island island_;                                      // the current one
   CrowdMemory crowd_memory_;                           // of large islands
   std::vector<DrawnContact> contacts_;                 // of the last steps of this tick
   std::vector<ContactShape> tried_shapes_;             // scratch of gapAround

@@ -1,4 +1,4 @@
-/// What flying robots push with in a plane.
+/// Limits of flying robots in a plane.
 #pragma once
 
 namespace swarmanoid::dynamics2d {

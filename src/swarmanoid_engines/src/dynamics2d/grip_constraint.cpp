@@ -8,7 +8,7 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-/// Change of the velocities of pivot and turn between two bodies, for each unit of impulse.
+/// Change of the relative velocity of pivot and turn of two bodies, per unit of impulse.
 Eigen::Matrix3d yieldOf(const SolverBody& gripper, const Eigen::Vector2d& arm_gripper, const SolverBody& held,
                         const Eigen::Vector2d& arm_held) {
   Eigen::Matrix3d yield;

@@ -1,5 +1,5 @@
-// Grips: joints that tear, rigid or with a turret between. They are made and reported in phase `connect`, and tear in
-// any step of `move`.
+// Grips: joints that tear, rigid or with a turret. Phase `connect` makes and reports them; they may tear in any step of
+// `move`.
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +42,7 @@ void Dynamics2d::connect(Space& space) {
 BodyIndex Dynamics2d::findGrippable(const Space& space, BodyIndex gripper) const {
   return planar::findInReach(bodies_, gripper, [&](BodyIndex index) {
     const Body& body = bodies_[index];
-    // a structure is a tree: no robot grips a body that hangs on it
+    // a structure is a tree: a robot must not grip a body that hangs on it
     return body.is_movable && body.role == Role::kMove && space.structure.root(body.row) != bodies_[gripper].row;
   });
 }

@@ -6,9 +6,9 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-/// An island of at most so many constraints, by countConstraints, is solved and corrected more exactly than others.
+/// Islands of at most this many constraints, by countConstraints, are solved and corrected more exactly than others.
 constexpr std::size_t kSmall = 24;
-/// What a mirror pushes with at most, since nothing can hold it back [N].
+/// Limit of the force of a mirror, since nothing can hold it back [N].
 constexpr double kMirrorForce = 500.0;
 
 template <class Visit>
@@ -57,7 +57,7 @@ void noteChange(const Constraint& constraint, SolverBodies& bodies, int sweep) {
   bodies[static_cast<std::size_t>(constraint.body)].noteChange(sweep);
 }
 
-/// @return whether any has changed a velocity by more than `settled` [m/s]
+/// @return whether a constraint has changed a velocity by more than `settled` [m/s]
 template <class Constraints>
 bool solveAll(Constraints& constraints, SolverBodies& bodies, int sweep, double settled) {
   bool has_changed = false;
@@ -70,7 +70,7 @@ bool solveAll(Constraints& constraints, SolverBodies& bodies, int sweep, double 
   return has_changed;
 }
 
-/// Of facing shapes, at most `margin`.
+/// Gap between facing shapes, at most `margin` [m].
 double gapBetween(const ContactShape& shape_a, const planar::PlacedPose& a, const ContactShape& shape_b,
                   const planar::PlacedPose& b, double margin) {
   const ContactPatch patch = findPatch(shape_a, a, shape_b, b, margin);
@@ -180,7 +180,7 @@ std::size_t Island::countConstraints() const {
 bool Island::isLarge() const { return countConstraints() > kSmall; }
 
 void Island::solve(int most_sweeps) {
-  // What a large island is left with when time is up is corrected in positions, and goes on in the next step.
+  // Errors that remain in a large island at the limit of sweeps are corrected in positions; the next step continues.
   constexpr double kExact = 1e-6;    // m/s
   constexpr double kSettled = 2e-5;  // m/s
   constexpr std::size_t kMostWork = 4000;

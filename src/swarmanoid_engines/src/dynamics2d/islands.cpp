@@ -1,5 +1,5 @@
-// Which bodies may meet in a tick, and the islands that they form. Mirrors and what stands join no islands: each island
-// has them for itself.
+// Islands of bodies that may meet in a tick. Mirrors and fixed bodies join no islands: each island has its own copy of
+// them.
 #include <algorithm>
 #include <tuple>
 
@@ -76,7 +76,7 @@ void Dynamics2d::moveIslands(double tick) {
   }
   std::sort(order_of_islands_.begin(), order_of_islands_.end());
   const auto rootOfNear = [&](const Near& near) { return rootOf(rigid(near.first).rank); };
-  // by entity numbers, since the order of the grid depends on who came into a cell when
+  // by entity numbers, since the order in the grid depends on when bodies came into a cell
   std::sort(near_.begin(), near_.end(), [&](const Near& a, const Near& b) {
     const auto key = [&](const Near& near) {
       return std::make_tuple(rootOfNear(near), bodies_[near.first].number, bodies_[near.second].number);

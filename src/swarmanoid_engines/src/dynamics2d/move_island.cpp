@@ -1,4 +1,4 @@
-// One island: from the bodies of the engine to the solver's, and back.
+// Moves one island: copies bodies from the engine to the solver, and back.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -75,10 +75,10 @@ bool Dynamics2d::hasLoad() const {
 }
 
 int Dynamics2d::countPieces(double step) {
-  // contacts are solved where they are when a step begins, and should not be far from there when it ends
+  // contacts are solved at the poses of the start of a step, which must not be far from those of its end
   constexpr double kWayAtContact = 0.01;   // m
   constexpr double kTurnAtContact = 0.03;  // rad
-  // a robot comes up to its speed within some 20 ms, which counts for what it pushes or pulls
+  // a robot reaches its speed within some 20 ms, which matters for bodies that it pushes or pulls
   constexpr double kTimeAtContact = 0.05;    // s
   constexpr double kTimeUnderLoad = 0.0125;  // s
   constexpr double kMostWay = 0.03;          // m
@@ -223,7 +223,7 @@ void Dynamics2d::readIsland(double step) {
 }
 
 void Dynamics2d::readMotions() {
-  constexpr double kRest = 1e-9;  // m/s, rad/s: friction with the ground leaves that of a body that it stops
+  constexpr double kRest = 1e-9;  // m/s, rad/s: friction with the ground leaves that to a body that it stops
   for (std::size_t i = 0; i < movable_members_; ++i) {
     RigidBody& rigid_body = rigid(members_[i]);
     const SolverBody& state = island_.bodies[i];

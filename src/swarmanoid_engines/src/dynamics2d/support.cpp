@@ -18,14 +18,14 @@ struct Point {
 };
 using Points = std::vector<Point>;
 
-/// Of a disc: twelve points on each of three rings, or all of them on its rim.
+/// Points of a disc: twelve on each of three rings, or 24 on its rim.
 void addDisc(const Eigen::Vector2d& centre, double radius, Pressure pressure, Points& points) {
   constexpr int kAround = 12;
   struct Ring {
     double radius;
     double share;
   };
-  // of Gauss's rule along the radius: exact for friction that does not depend on the radius, or falls with it
+  // Gauss quadrature along the radius: exact for friction that does not depend on the radius, or falls with it
   constexpr std::array<Ring, 3> kRings{
       {{0.1127016653792583, 0.0626120363218102}, {0.5, 0.4444444444444444}, {0.8872983346207417, 0.4929435192337454}}};
   const auto addRing = [&](const Ring& ring, double phase) {
@@ -45,7 +45,7 @@ void addDisc(const Eigen::Vector2d& centre, double radius, Pressure pressure, Po
   }
 }
 
-/// The points at which a polynomial of the second degree has its mean over a triangle.
+/// Quadrature points of a triangle, exact for polynomials of the second degree.
 void addTriangle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, Points& points) {
   const double share = planar::cross(b - a, c - a) / 3.0;
   points.push_back({(4.0 * a + b + c) / 6.0, share});
@@ -112,11 +112,11 @@ void pack(const Points& points, Support& support) {
   }
 }
 
-/// How fast two points slip, and where to.
+/// Slip velocities of two points.
 struct Slip {
   Eigen::Array2d x;
   Eigen::Array2d y;
-  Eigen::Array2d square;  // of the speed, a little more than 0 at rest
+  Eigen::Array2d square;  // of the speed; a little more than 0 at rest
 
   Slip(const Support::Points& points, const PlanarTwist& twist)
       : x(twist.x() - twist.z() * points.arm_y),
@@ -124,7 +124,7 @@ struct Slip {
         square(x * x + y * y + kRest * kRest) {}
 };
 
-/// The function whose minimum the velocity after friction is, with its derivatives.
+/// Power of friction per unit of its limit, with derivatives by the velocity.
 struct Dissipation {
   double value = 0.0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
@@ -153,7 +153,7 @@ Dissipation differentiate(const Support& support, const PlanarTwist& twist) {
     const Slip slip(points, twist);
     const Eigen::Array2d inverse = 1.0 / slip.square;
     const Eigen::Array2d friction = points.share * slip.square.sqrt();
-    const Eigen::Array2d part = friction * inverse;  // of a unit of speed
+    const Eigen::Array2d part = friction * inverse;  // per unit of speed
     value += friction;
     const Eigen::Array2d x = part * slip.x;
     const Eigen::Array2d y = part * slip.y;
@@ -175,7 +175,7 @@ Dissipation differentiate(const Support& support, const PlanarTwist& twist) {
   return {value.sum(), {along_x.sum(), along_y.sum(), along_turn.sum()}, symmetric(xx, xy, yy, xz, yz, zz)};
 }
 
-/// The matrix that gives the gradient, times the velocity.
+/// The matrix whose product with the velocity is the gradient of the dissipation.
 Eigen::Matrix3d resistanceAt(const Support& support, const PlanarTwist& twist) {
   Eigen::Array2d xx = Eigen::Array2d::Zero();
   Eigen::Array2d xz = xx, yz = xx, zz = xx;
@@ -189,7 +189,7 @@ Eigen::Matrix3d resistanceAt(const Support& support, const PlanarTwist& twist) {
   return symmetric(xx, Eigen::Array2d::Zero(), xx, xz, yz, zz);
 }
 
-/// Of a symmetric, positive definite matrix.
+/// Solves a system with a symmetric, positive definite matrix.
 PlanarTwist solveSymmetric(const Eigen::Matrix3d& m, const Eigen::Vector3d& right) {
   const double xx = m(1, 1) * m(2, 2) - m(1, 2) * m(1, 2);
   const double xy = m(0, 2) * m(1, 2) - m(0, 1) * m(2, 2);
@@ -261,8 +261,8 @@ PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d&
       twist = newton;
       continue;
     }
-    // Where an element comes to rest, Newton's step goes too far. Less of it is tried, and friction in proportion to
-    // the velocity, which never goes too far: in the proportion that there is now, and in that of a body at rest.
+    // Where an element comes to rest, Newton's step goes too far. Instead, the loop tries parts of it, and friction in
+    // proportion to the velocity, which never goes too far: with the current factor, and with that of a body at rest.
     const std::array<PlanarTwist, 4> others{withResistance(support.resistance_at_rest), twist - 0.5 * change,
                                             twist - 0.125 * change, withResistance(resistanceAt(support, twist))};
     double least = value;
@@ -275,7 +275,7 @@ PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d&
       }
     }
     if (twist == before) {
-      break;  // as exact as numbers allow
+      break;  // as exact as rounding allows
     }
   }
   return twist;

@@ -1,10 +1,10 @@
-/// The area on which a body rests, and Coulomb's friction on it.
+/// The area on which a body rests, and Coulomb friction on it.
 ///
-/// Each element of the support carries its share of the weight, and friction opposes the element's own slip with that
-/// share of the most that there can be. So friction couples sliding and turning: the forces and torques that can hold a
-/// body form its limit surface, and a body that slides has no static torque left (Goyal, Ruina, Papadopoulos, Planar
-/// sliding with dry friction, Wear 143, 1991). The sum over elements is taken over some fifty points; an ellipsoid in
-/// place of the limit surface would turn a block that is pushed off its middle half as far as it should (decision 38).
+/// Each element of the support carries its share of the weight, and its friction opposes its own slip, with that share
+/// of the limit. So friction couples sliding and turning: the forces and torques that can hold a body form its limit
+/// surface, and a sliding body has no static torque left (Goyal, Ruina, Papadopoulos, Planar sliding with dry friction,
+/// Wear 143, 1991). Some fifty points stand for all elements; with an ellipsoid in place of the limit surface, a block
+/// pushed off its middle would turn half as far as it should (decision 38).
 ///
 /// An element that slips by less than a micrometre a second is held in proportion to its slip: so a body that rests
 /// under a load creeps by about that.
@@ -20,10 +20,10 @@
 
 namespace swarmanoid::dynamics2d {
 
-/// How the weight is spread over the outline on which a body rests.
+/// Distribution of the weight over the outline on which a body rests.
 enum class Pressure {
-  kEven,  ///< the same on each square metre of it
-  kEdge,  ///< on its corners, or around its rim: as `dynamics3d` holds boxes and cylinders
+  kEven,  ///< equal on each square metre
+  kEdge,  ///< on its corners or its rim: as `dynamics3d` holds boxes and cylinders
 };
 
 struct Support {
@@ -31,24 +31,23 @@ struct Support {
   struct Points {
     Eigen::Array2d arm_x = Eigen::Array2d::Zero();  ///< [m]
     Eigen::Array2d arm_y = Eigen::Array2d::Zero();  ///< [m]
-    Eigen::Array2d share = Eigen::Array2d::Zero();  ///< of the weight; those of all points are 1 in sum
+    Eigen::Array2d share = Eigen::Array2d::Zero();  ///< of the weight; the shares of all points add up to 1
   };
   std::vector<Points> points;
-  /// From a velocity to friction, while the velocity is far below that at which a point counts as slipping; of a unit
-  /// of weight.
+  /// Maps a velocity to friction per unit of weight, while no point is near the speed at which it counts as slipping.
   Eigen::Matrix3d resistance_at_rest = Eigen::Matrix3d::Zero();
 };
 
-/// The support of a model: the convex outline of its lowest shapes, moved so that the weight is carried below the
+/// The support of a model: the convex outline of its lowest shapes, shifted so that it carries the weight below the
 /// centre of mass. @param support keeps its memory
 void makeSupport(const planar::PlanarModel& model, Pressure pressure, Support& support);
 
 /// Velocity along x and y, and turn rate, of a body.
 using PlanarTwist = Eigen::Vector3d;
 
-/// The velocity that a body has after a step in which friction with the ground acts on it: the one of maximal
-/// dissipation, which is the minimum of a convex function.
-/// @param inertia mass twice, and moment of inertia [kg, kg, kg m2]
+/// Velocity of a body after a step of friction with the ground: the velocity of maximal dissipation, which is the
+/// minimum of a convex function.
+/// @param inertia the mass, twice, and the moment of inertia [kg, kg, kg m2]
 /// @param free velocity without friction, in the body's frame @param most impulse of friction in the step [N s]
 /// @param guesses of the result; the better one is the start of the iteration
 /// @return the velocity at which forces balance within a millionth of `most`

@@ -9,12 +9,13 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-/// Of treels that cannot both do what is asked of them. One after the other, again and again, until none changes.
-/// @param friction impulse of a treel, from the yield of its place, its slip with all impulses, and its impulse so far
+/// Impulses where a treel slips, solved one after the other until none changes.
+/// @param friction returns the impulse of a treel from the yield at its place, its slip with all impulses, and its
+/// impulse so far
 template <class Friction>
 TreelImpulses slippingTreels(const Treels& treels, double mass, double inertia, const PlanarTwist& excess, double most,
                              TreelImpulses impulses, int most_sweeps, Friction friction) {
-  constexpr double kSettled = 1e-7;  // of the most that there can be
+  constexpr double kSettled = 1e-7;  // of `most`
   const Eigen::Vector3d sum = sumOf(treels, impulses);
   Eigen::Vector2d velocity = excess.head<2>() + sum.head<2>() / mass;
   double turn_rate = excess.z() + sum.z() / inertia;
@@ -39,11 +40,11 @@ TreelImpulses slippingTreels(const Treels& treels, double mass, double inertia, 
   return impulses;
 }
 
-/// Impulses with which nothing slips.
+/// Impulses without slip.
 TreelImpulses holdingTreels(const Treels& treels, double mass, double inertia, const PlanarTwist& excess) {
   const Eigen::Vector2d half = -0.5 * mass * excess.head<2>();
   const double torque = -inertia * excess.z();
-  // both carry half of it, and push in opposite directions to turn
+  // each carries half of the force; they push in opposite directions to turn
   const Eigen::Vector2d opposite =
       (torque - planar::cross(treels.left + treels.right, half)) / treels.track * treels.ahead;
   return {half + opposite, half - opposite};
@@ -79,7 +80,7 @@ TreelImpulses improvedTreelImpulses(const Treels& treels, double mass, double in
   if (isHeld(holding, most)) {
     return holding;
   }
-  // one step of the projection whose fixed point is Coulomb's law: what ends the slip, as far as the ground holds
+  // one step of the projection whose fixed point is Coulomb's law: the impulse that ends the slip, up to the limit
   return slippingTreels(treels, mass, inertia, excess, most, impulses, 1,
                         [=](const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, const Eigen::Vector2d& before) {
                           const double largest = yield.trace() - 1.0 / mass;  // eigenvalue

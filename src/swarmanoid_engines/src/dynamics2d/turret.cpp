@@ -1,4 +1,4 @@
-// Turrets: motors between robots and what they hold; grippers that turn without load.
+// Turrets: motors between robots and the bodies they hold; grippers that turn without load.
 #include <algorithm>
 #include <cmath>
 
@@ -83,7 +83,7 @@ void Dynamics2d::readTurret(const GripConstraint& grip, double step) {
 }
 
 void Dynamics2d::finishTurrets(Space& space) {
-  constexpr double kSeen = 1e-4;  // rad: a held angle trembles by less
+  constexpr double kSeen = 1e-4;  // rad: a held angle oscillates by less
   for (const Turret& turret : bodies_.turrets()) {
     if (std::abs(wrapTurn(turret.state.angle - bodies_.shapesAngle(turret))) > kSeen) {
       turnGripper(turret);

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The stops stand a little beyond the range that the motors keep to: a motor that holds its joint at the end of the
-// range and a stop there would share the load in a way that no solver can tell.
+// The stops are a little beyond the range of the motors. A motor that holds its joint at the end of the range and a
+// stop there would share the load in an undetermined way.
 constexpr double kStopGap = 1e-3;  // rad
 
 /// The rigid body that carries a joint.
@@ -21,7 +21,7 @@ dBodyID carrierOf(const Body& body, const std::vector<Link>& links, int joint) {
   return carrier < 0 ? body.rigid : links[static_cast<std::size_t>(carrier)].rigid;
 }
 
-/// @pre the link's rigid body is where it is while all joints are at zero, and that of its carrier too
+/// @pre the rigid bodies of the link and of its carrier have their poses with all joints at zero
 void makeHinge(dWorldID world, const EntityModel::Joint& joint, dBodyID carrier, Link& link) {
   link.hinge = dJointCreateHinge(world, nullptr);
   dJointAttach(link.hinge, link.rigid, carrier);
@@ -31,8 +31,8 @@ void makeHinge(dWorldID world, const EntityModel::Joint& joint, dBodyID carrier,
   dJointSetFeedback(link.hinge, &link.feedback);
 }
 
-/// The hinge has a motor, so its stops are a joint of their own: at a stop ODE's hinges drive with the motor's whole
-/// torque for a step, however fast that makes them, and beyond half a turn they take one stop for the other.
+/// Makes the stops as a joint of their own, since the hinge has a motor: at a stop ODE's hinges drive with the motor's
+/// whole torque for a step, at any resulting speed, and beyond half a turn they confuse the two stops.
 void makeStop(dWorldID world, const EntityModel::Joint& joint, dBodyID carrier, Link& link) {
   link.stop = dJointCreateAMotor(world, nullptr);
   dJointAttach(link.stop, link.rigid, carrier);
@@ -45,14 +45,13 @@ void makeStop(dWorldID world, const EntityModel::Joint& joint, dBodyID carrier, 
 
 bool isEndless(const EntityModel::Joint& joint) { return std::isinf(joint.upper); }
 
-/// How far the joint is turned now. If it has stops the angle goes on beyond half a turn, where the hinge's
-/// angle wraps.
+/// Current angle of the joint. If it has stops, the angle continues beyond half a turn, where the hinge's angle wraps.
 double turnedTo(const EntityModel::Joint& joint, const Link& link) {
   const double angle = dJointGetHingeAngle(link.hinge);
   return isEndless(joint) ? angle : link.angle + wrapAngle(angle - link.angle);
 }
 
-/// The way from the joint's angle to the commanded one, within its range [rad].
+/// Difference of the commanded angle, within the joint's range, and the joint's angle [rad].
 double missingTo(const EntityModel::Joint& joint, const Link& link) {
   const double target = link.command.value;
   return isEndless(joint) ? wrapAngle(target - link.angle) : std::clamp(target, joint.lower, joint.upper) - link.angle;
@@ -64,7 +63,7 @@ std::vector<Link> makeLinks(dWorldID world, const Body& body) {
   const std::vector<EntityModel::Joint>& joints = body.model->joints;
   SWARMANOID_EXPECTS(body.rigid != nullptr);
   std::vector<Link> links(joints.size());
-  // hinges remember how their bodies are when they are made as their zero
+  // hinges take the poses of their bodies at creation as their zero
   setBodyPose(body.rigid, body.own.centre_of_mass, Eigen::Quaterniond::Identity());
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const EntityModel::Joint& joint = joints[i];
@@ -94,7 +93,7 @@ void moveLinks(Body& body, const Twist& twist, Span<const JointState> joints) {
     const EntityModel::Joint& joint = body.model->joints[i];
     const Eigen::Isometry3d displacement = displacementOf(*body.model, joints, static_cast<int>(i));
     const auto inWorld = [&](const Vector3d& point) -> Vector3d { return body.pose.toWorld(displacement * point); };
-    // as the carrier moves the joint, and the joint the link
+    // the carrier moves the joint, and the joint the link
     Vector3d carrier_turning = twist.angular;
     Vector3d carrier_speed = twist.linear;
     Vector3d carrier_place = body.pose.position;
@@ -125,13 +124,13 @@ void turnSolids(Body& body, Span<const JointState> joints) {
 }
 
 void driveLinks(Body& body) {
-  constexpr double kGain = 20.0;  // 1/s: the last of the way takes a twentieth of a second
+  constexpr double kGain = 20.0;  // 1/s: approach with a time constant of 0.05 s
   for (std::size_t i = 0; i < body.links.size(); ++i) {
     Link& link = body.links[i];
     const EntityModel::Joint& joint = body.model->joints[i];
     link.angle = turnedTo(joint, link);
     dJointSetAMotorAngle(link.stop, 0, link.angle);
-    link.stop_feedback = {};  // ODE writes nothing into that of a stop that is idle
+    link.stop_feedback = {};  // ODE does not write the feedback of an idle stop
     const bool is_at_speed = link.command.mode == JointCommand::Mode::kSpeed;
     const double speed = is_at_speed ? link.command.value : kGain * missingTo(joint, link);
     const bool is_off = link.command.mode == JointCommand::Mode::kPassive;
@@ -147,7 +146,7 @@ void readLinks(const Body& body, Span<JointState> joints) {
     dVector3 anchor;
     dJointGetHingeAxis(link.hinge, axis);
     dJointGetHingeAnchor(link.hinge, anchor);
-    // ODE tells the torque about the link's centre; about the axis the hinge's own force has none
+    // ODE reports the torque about the link's centre; the hinge's own force has none about the axis
     const Vector3d arm = toVector(dBodyGetPosition(link.rigid)) - toVector(anchor);
     const Vector3d torque =
         toVector(link.feedback.t1) + toVector(link.stop_feedback.t1) + arm.cross(toVector(link.feedback.f1));

@@ -1,7 +1,7 @@
-/// The jointed links of a robot: rigid bodies on hinges that motors turn to the angles or with the speeds that the
-/// robot commands, with no more speed and torque than the model's joints have.
+/// The jointed links of a robot: rigid bodies on hinges. Motors turn the hinges to the commanded angles, or with the
+/// commanded speeds, within the speed and torque limits of the model's joints.
 ///
-/// Motors keep to the range of their joints, whatever is commanded. Just beyond it there are stops, for loads that the
+/// Motors keep to the range of their joints, whatever the command. Just beyond it there are stops, for loads that the
 /// motors do not hold.
 ///
 /// Links do not collide with the rest of their own robot.
@@ -11,16 +11,16 @@
 
 namespace swarmanoid::dynamics3d {
 
-/// Makes rigid bodies and hinges for all of the model's joints. Masses are still to be given.
-/// @pre body.rigid is there, body.own too
+/// Makes rigid bodies and hinges for all of the model's joints. The caller must set the masses.
+/// @pre body.rigid and body.own are set
 std::vector<Link> makeLinks(dWorldID world, const Body& body);
 
-/// Puts the links where body.pose and the joints say. @param joints none: all are zero
+/// Places the links by body.pose and the joints. @param joints empty: all are at zero
 void placeLinks(Body& body, Span<const JointState> joints);
-/// Gives them the velocities that the body's twist and the joints' speeds add up to. @param joints none: none turns
+/// Sets the links' velocities from the body's twist and the joints' speeds. @param joints empty: none turns
 void moveLinks(Body& body, const Twist& twist, Span<const JointState> joints);
 
-/// For a body without links: turns its solids as the joints are.
+/// For a body without links: turns its solids to the joints' angles.
 void turnSolids(Body& body, Span<const JointState> joints);
 
 /// Sets the motors for a step [s].

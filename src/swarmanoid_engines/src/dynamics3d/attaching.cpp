@@ -1,4 +1,4 @@
-// Phase `connect`: suction, magnets and ropes take hold and let go; what they hold stands in the space's attachments.
+// Phase `connect`: suction, magnets and ropes attach and detach; the space's attachments record their state.
 #include "common/grips.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/rope.hpp"
@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 using HolderKind = EntityModel::Holder::Kind;
 
 constexpr double kCupReach = 0.01;   // m, from cups, or from a magnet, to the surface
-constexpr double kCupDepth = 0.01;   // m, by which the cups may be pressed into it
+constexpr double kCupDepth = 0.01;   // m, depth to which cups may be pressed into the surface
 constexpr double kRopeSpeed = 10.0;  // m/s, of a rope that is shot
 
 Vector3d inBody(const Body& body, const Vector3d& point) {
@@ -164,7 +164,7 @@ void Dynamics3d::hold(Body& robot, std::size_t holder, Body& object, const Attac
   }
   Grip& grip = robot.holding->grips[holder];
   grip = Grip{};
-  robot.flight = Flight{};  // wherever it comes off again, a flying robot flies on from there
+  robot.flight = Flight{};  // after detaching, a flying robot flies on from its pose at that time
   const int joint = robot.model->mount(robot.holder(holder).mount).joint;
   const bool is_on_link = joint >= 0 && !robot.links.empty();
   grip.holder = is_on_link ? robot.links[static_cast<std::size_t>(joint)].rigid : robot.rigid;

@@ -1,4 +1,4 @@
-// Balls, and points, which are balls of no size.
+// Contacts of balls, and of points, which are balls of radius zero.
 #include <algorithm>
 #include <cmath>
 
@@ -39,8 +39,8 @@ Vector3d nearestOf(const Triangle& triangle, const Vector3d& point) {
   return nearest;
 }
 
-/// Whether all parts of the surface that meet in `point` have it for the one nearest to `centre`: otherwise it is a
-/// mere seam.
+/// Whether `point` is the nearest point to `centre` on all parts of the surface that meet in it; otherwise it is on a
+/// seam.
 bool isNearest(const GroundSurface& ground, const Vector3d& point, const Vector3d& centre) {
   constexpr double kTouch = 1e-8;  // m
   constexpr double kSame = 1e-7;   // m

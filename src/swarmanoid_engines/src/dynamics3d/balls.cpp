@@ -15,13 +15,13 @@ constexpr double kBallSize = 0.3;     // of a wheel's radius
 
 double ballRadius(const EntityModel::Wheels& wheels) { return kBallSize * wheels.radius; }
 
-/// Where a ball may be along a line that is parallel to body x; empty: `low` above `high` [m].
+/// Range of a ball along a line that is parallel to body x; empty if `low` is above `high` [m].
 struct Stretch {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// @return where a ball of that radius at that y lies within a shape, whose vertices go round counter-clockwise
+/// @return range in which a ball of that radius at that y lies within a shape with counter-clockwise vertices
 Stretch within(const planar::PlanarShape& shape, double y, double radius) {
   if (shape.isCircle()) {
     const double room = shape.radius - radius;
@@ -55,7 +55,7 @@ class Supports {
     planar::projectModel(model, planar::Plane{}, Eigen::Quaterniond::Identity(), outline_);
     for (std::size_t i = model.shapes.size(); i-- > 0;) {
       if (model.shapes[i].joint >= 0) {
-        outline_.shapes.erase(outline_.shapes.begin() + static_cast<std::ptrdiff_t>(i));  // it turns away
+        outline_.shapes.erase(outline_.shapes.begin() + static_cast<std::ptrdiff_t>(i));  // may turn away
       }
     }
   }
@@ -75,7 +75,7 @@ class Supports {
   }
 
  private:
-  /// How far out the robot is to stand, if its body covers that.
+  /// Wanted distance from the axle, before the limit by the body's shapes.
   double wantedReach(double direction) const {
     double reach = kSupportReach * wheels_.radius;
     for (const planar::PlanarShape& shape : outline_.shapes) {

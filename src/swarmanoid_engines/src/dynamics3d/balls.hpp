@@ -1,11 +1,11 @@
 /// The balls on which a robot with wheels stands: three for each wheel, one under its axle, and one before and one
 /// behind it that keep the robot from tipping.
 ///
-/// A ball touches whatever ground in a point under the wheel's axle, so a robot turns as its wheels' separation says,
-/// which flat wheels do not. The ones before and behind lie, seen from above, within the shapes of the body: what is
-/// ahead of a robot is met by its body, never by a ball. They are as far from the axle as kSupportReach, or as the
-/// middle of a shape of the body that stands on the ground further out (a caster), but no further than the body's
-/// shapes cover them. Where no shape covers any, they are under the axle, and the robot may tip.
+/// A ball touches any ground in a point under the wheel's axle, so a robot turns according to its wheels' separation,
+/// which it would not on flat wheels. Seen from above, the balls before and behind lie within the shapes of the body,
+/// so obstacles meet the body, never a ball. Their distance from the axle is kSupportReach, or that of the middle of a
+/// shape further out that stands on the ground (a caster), but no more than the body's shapes cover. Without a shape
+/// that covers them, they are under the axle, and the robot may tip.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@
 
 namespace swarmanoid::dynamics3d {
 
-/// A footbot that pushes as hard as it can must not rear, and yet its balls lie under its body: ahead of the axle and
-/// behind, in radii of a wheel.
+/// Distance of the balls before and behind from the axle, in radii of a wheel. A footbot that pushes as hard as it can
+/// must not rear, and its balls must lie under its body.
 constexpr double kSupportReach = 1.75;
 
-/// Shapes of a body that come nearer to the ground than this stand on it [m].
+/// Shapes that end lower than this above the ground stand on it [m].
 constexpr double kOnGround = 2e-3;
 
 struct Ball {
@@ -27,7 +27,7 @@ struct Ball {
   int side = 0;             ///< 0 left, 1 right
 };
 
-/// Of the left wheel, then of the right one: under the axle, before, behind. @param model with wheels
+/// Balls of the left wheel, then of the right one: under the axle, before, behind. @pre the model has wheels
 std::vector<Ball> ballsOf(const EntityModel& model);
 
 }  // namespace swarmanoid::dynamics3d

@@ -20,7 +20,7 @@ void setMass(dBodyID rigid, const Inertial& inertial) {
 
 bool isGripper(const EntityModel::Holder& holder) { return holder.kind == EntityModel::Holder::Kind::kGripper; }
 
-/// Whether one of its holders besides grippers is commanded.
+/// Whether a holder other than a gripper is commanded.
 bool isHoldingCommanded(const Space& space, Row row) {
   const EntityModel& model = *space.entities.model[row];
   const Span<const HolderCommand> commands = space.holder_commands[row];
@@ -32,7 +32,7 @@ bool isHoldingCommanded(const Space& space, Row row) {
   return false;
 }
 
-/// Whether one of its joints besides a turret is commanded.
+/// Whether a joint other than a turret is commanded.
 bool areLinksCommanded(const Space& space, Row row) {
   const int turret = turretJoint(*space.entities.model[row]);
   const Span<const JointCommand> commands = space.joint_commands[row];

@@ -1,4 +1,4 @@
-/// Boxes along the axes of W around entities, and which of them are near a place.
+/// Boxes around entities along the axes of W, and queries for them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,10 +13,10 @@ namespace swarmanoid::dynamics3d {
 /// The smallest box around an entity's shapes.
 Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose);
 
-/// Boxes sorted along x, so that a look-up goes through a slice of the world. For robots in arenas the slice is thin;
-/// boxes wider than most (walls) are looked at one by one. `Item` is cheap to copy and compare.
+/// Boxes sorted along x, so that a query goes through a slice of the world. For robots in arenas the slice is thin;
+/// boxes wider than most (walls) are tested one by one. `Item` is cheap to copy and compare.
 ///
-/// Nothing is allocated but when items are added. Threads: visitNear from many at once.
+/// Only `add` allocates. Threads: visitNear from many at once.
 template <class Item>
 class SortedBounds {
  public:
@@ -38,7 +38,7 @@ class SortedBounds {
     wide_.clear();
   }
 
-  /// Takes the boxes that boundsOfItem(item) returns; cheap if the order along x has hardly changed.
+  /// Replaces the boxes by boundsOfItem(item); cheap if the order along x has hardly changed.
   template <class BoundsOfItem>
   void update(BoundsOfItem bounds_of_item) {
     for (std::vector<Entry>* list : {&entries_, &wide_}) {
@@ -56,7 +56,7 @@ class SortedBounds {
     }
   }
 
-  /// Calls visit(item, bounds) for all whose box overlaps `box`, in no particular order, until it returns false.
+  /// Calls visit(item, bounds) for all items whose box overlaps `box`, in no particular order, until it returns false.
   template <class Visit>
   void visitNear(const Eigen::AlignedBox3d& box, Visit visit) const {
     for (const Entry& entry : wide_) {
@@ -101,10 +101,10 @@ class SortedBounds {
     Eigen::AlignedBox3d bounds;
     Item item;
   };
-  static constexpr double kWide = 1.0;  // m: more than a robot spans, however it lies
+  static constexpr double kWide = 1.0;  // m: more than a robot spans in any pose
 
   static bool isBefore(const Entry& a, const Entry& b) { return a.bounds.min().x() < b.bounds.min().x(); }
-  /// With room for what turns later on.
+  /// By the diagonal, so that it stays valid when the item turns.
   static bool isWide(const Eigen::AlignedBox3d& bounds) { return bounds.diagonal().norm() > kWide; }
 
   std::vector<Entry> entries_;

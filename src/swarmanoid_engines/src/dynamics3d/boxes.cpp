@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The second box as seen from the first one.
+/// Pose of the second box relative to the first one.
 struct Relative {
   Relative(const PlacedSolid& a, const PlacedSolid& b)
       : turn(a.axes.transpose() * b.axes),
@@ -27,20 +27,20 @@ struct Relative {
   Vector3d way_in_b;
 };
 
-/// An axis between the boxes: the normal of a face of one of them, or across an edge of each.
+/// A separating axis: the normal of a face of one box, or the cross product of an edge of each.
 struct Axis {
   double gap = -std::numeric_limits<double>::infinity();  // along it [m]; below 0: how deep the boxes overlap
-  int of_a = -1;                                          // number of the box's axis; -1: none of this box
+  int of_a = -1;                                          // index of the box's axis; -1: none of this box
   int of_b = -1;
 };
 
 double sideOf(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
-/// The axis with the widest gap. Contacts of faces hold a box, that of edges lets it rock: so edges must have more than
-/// a noticeable advantage, and so must the second box's faces, or small motions would swap the axis from step to step.
+/// The axis with the widest gap. Face contacts hold a box, an edge contact lets it rock: so edges need a noticeable
+/// advantage. The second box's faces need it too, or small motions would swap the axis from step to step.
 Axis widestGap(const PlacedSolid& a, const PlacedSolid& b, const Relative& relative, double margin) {
   constexpr double kAdvantage = 2e-5;  // m
-  constexpr double kParallel = 1e-6;   // rad: across such edges there is no axis of their own
+  constexpr double kParallel = 1e-6;   // rad: nearly parallel edges define no axis
   Axis best;
   const Vector3d gaps_a = relative.way.cwiseAbs() - a.half - relative.cosines * b.half;
   best.gap = gaps_a.maxCoeff(&best.of_a);
@@ -107,13 +107,13 @@ class Polygon {
     }
     *this = kept;
   }
-  /// Leaves out the corners that are higher.
+  /// Removes the corners above a height.
   void keepBelow(double height) {
     const auto is_higher = [&](const Vector3d& corner) { return corner.z() > height; };
     count_ = static_cast<std::size_t>(std::remove_if(corners_.begin(), corners_.begin() + count_, is_higher) -
                                       corners_.begin());
   }
-  /// Keeps the corner that is lowest on the slope, and of the others those that are farthest from each other.
+  /// Keeps the corner that is lowest on the slope, and of the others those farthest from each other.
   /// @param slope of the height to compare by, along x and y
   void keepSpread(std::size_t most, const Eigen::Vector2d& slope);
 
@@ -157,7 +157,8 @@ void Polygon::keepSpread(std::size_t most, const Eigen::Vector2d& slope) {
   count_ = std::min(most, count_);
 }
 
-/// A face of a box that bears the contacts. Its frame: x and y along its edges, z out of the box, zero in its middle.
+/// The face of a box that carries the contacts. Its frame: x and y along its edges, z out of the box, zero in its
+/// middle.
 struct BearingFace {
   BearingFace(const PlacedSolid& box, int axis, double side) {
     const int u = (axis + 1) % 3;
@@ -174,7 +175,7 @@ struct BearingFace {
   Vector3d middle;       // in W [m]
 };
 
-/// The face of a box that looks most against a face of another one, in the frame of that.
+/// The face of a box that is most opposed to a face of another box, in the frame of that face.
 Polygon faceAgainst(const BearingFace& face, const PlacedSolid& box) {
   const Matrix3d turn = face.axes.transpose() * box.axes;
   int axis = 0;
@@ -193,10 +194,10 @@ Polygon faceAgainst(const BearingFace& face, const PlacedSolid& box) {
   return polygon;
 }
 
-/// @param out_of_b 1: the face is of b; -1: of a
+/// @param out_of_b 1: the face belongs to b; -1: to a
 int touchFace(const BearingFace& face, const PlacedSolid& other, double out_of_b, double gap, SurfaceContact* found) {
-  constexpr double kLookAhead = 4e-3;  // m beyond the margin, so that a box that rocks keeps its contacts
-  constexpr double kTilted = 1e-3;     // rad: less does not decide on which corner a box would topple
+  constexpr double kLookAhead = 4e-3;  // m beyond the margin, so that a rocking box keeps its contacts
+  constexpr double kTilted = 1e-3;     // rad: a smaller tilt does not decide over which corner a box topples
   Polygon polygon = faceAgainst(face, other);
   const Vector3d lowest = polygon.lowest();
   for (const double side : {-1.0, 1.0}) {
@@ -205,7 +206,7 @@ int touchFace(const BearingFace& face, const PlacedSolid& other, double out_of_b
   }
   polygon.keepBelow(kMargin + kLookAhead);
   if (polygon.size() == 0) {
-    // the boxes are beside each other, too: a corner by an edge
+    // the boxes are also beside each other: a corner at an edge
     const Eigen::Vector2d beside = lowest.head<2>().cwiseMax(-face.half).cwiseMin(face.half);
     polygon.add({beside.x(), beside.y(), gap});
   } else {
@@ -219,7 +220,7 @@ int touchFace(const BearingFace& face, const PlacedSolid& other, double out_of_b
   return count;
 }
 
-/// The middle of the edge of a box along its own axis that lies farthest in a direction.
+/// The middle of the edge along one axis of a box that is farthest in a direction.
 Vector3d edgeTowards(const PlacedSolid& box, int axis, const Vector3d& direction) {
   Vector3d place = box.centre;
   for (const int other : {(axis + 1) % 3, (axis + 2) % 3}) {
@@ -269,7 +270,7 @@ int collideBoxes(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
   }
   PlacedSolid a(geom_a);
   PlacedSolid b(geom_b);
-  // the growth makes contacts early, but carries nothing
+  // the growth makes contacts early, but carries no load
   a.half.array() -= kMargin / 2.0;
   b.half.array() -= kMargin / 2.0;
   std::array<SurfaceContact, kMostBoxContacts> contacts;

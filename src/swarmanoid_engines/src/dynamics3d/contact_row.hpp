@@ -1,4 +1,4 @@
-/// Bodies and contacts as the contact solver sees them (contact_solver.hpp). Frame W, SI units.
+/// Bodies and contacts of the contact solver (contact_solver.hpp). Frame W, SI units.
 ///
 /// A contact asks for a velocity of body a relative to body b. Its impulse leaves an error of `softness` times the
 /// impulse; along the normal it only pushes, and along the tangents Coulomb's law limits its length. Depth correction,

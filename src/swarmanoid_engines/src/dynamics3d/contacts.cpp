@@ -9,25 +9,25 @@
 namespace swarmanoid::dynamics3d {
 namespace {
 
-constexpr double kBounceSpeed = 0.02;  // m/s: what comes slower does not bounce
+constexpr double kBounceSpeed = 0.02;  // m/s: slower impacts do not bounce
 
-// A mirror gives way to nothing. What it crushes against a wall must not be held with more than some hundred newtons:
-// in forces without a limit a contact that is found a little beside the right place spins a body like a top.
+// A mirror does not yield. Forces on a body crushed between a mirror and a wall must stay below some hundred newtons:
+// without a limit, a contact found a little beside the right place spins the body like a top.
 constexpr double kMirrorSoftness = 1e-3;  // m/s per N
 
 bool isMirror(const Body* body) { return body != nullptr && body->rigid != nullptr && !body->is_dynamic; }
 
-/// Of what was put upon each other, solids find ways out that contradict each other, or that lead into the ground. It
-/// goes apart along the line between the two, on the level. @param into_a the contact's normal
+/// Separation direction for solids that were placed into each other: their normals may contradict each other, or lead
+/// into the ground, so deep ones separate horizontally, along the line between them. @param into_a the contact's normal
 Eigen::Vector3d wayOut(const Body& a, const Body& b, double depth, const Eigen::Vector3d& into_a) {
-  constexpr double kDeep = 5e-3;  // m: no motion leads there
+  constexpr double kDeep = 5e-3;  // m: not reached by motion
   constexpr double kSame = 1e-6;  // m
   Eigen::Vector3d way = toVector(dBodyGetPosition(a.rigid)) - toVector(dBodyGetPosition(b.rigid));
   way.z() = 0.0;
   return depth < kDeep || way.norm() < kSame ? into_a : way.normalized();
 }
 
-/// Whether the step under way moves it.
+/// Whether the current step moves the body.
 bool isEnabled(const Body* body) {
   return body != nullptr && body->rigid != nullptr && dBodyIsEnabled(body->rigid) != 0;
 }
@@ -127,7 +127,7 @@ bool Contacts::describe(const Touch& touch, dContact& contact) const {
              .dot(velocityAt(dGeomGetBody(touch.solid_a->geom), point) - velocityAt(rigid_b, point));
     if (approach > kBounceSpeed) {
       if (depth < 0.0) {
-        return false;  // slowed down to the gap it would not bounce as high
+        return false;  // slowed down to the gap, the body would bounce lower
       }
       contact.surface.mode |= dContactBounce;
       contact.surface.bounce = settings_.restitution;
@@ -143,8 +143,8 @@ bool Contacts::describe(const Touch& touch, dContact& contact) const {
 }
 
 void Contacts::breakTies(std::size_t number, dSurfaceParameters& surface) const {
-  // The exact solver gives up where contacts tie, as those of a symmetric robot at rest do. These speeds are all
-  // different, and far too small to be seen.
+  // The exact solver gives up where contacts tie, such as those of a symmetric robot at rest. These speeds are all
+  // different, and too small to be noticed.
   constexpr double kMost = 1e-9;          // m/s
   constexpr double kMostFriction = 1e-6;  // of the coefficient
   constexpr double kGoldenRatio = 0.618033988749895;

@@ -1,5 +1,5 @@
-// By the Minkowski Portal Refinement of libccd. Its variant of the algorithm of Gilbert, Johnson and Keerthi is no
-// match: it calls some spheres apart that sink into each other by 10 um.
+// Uses the Minkowski Portal Refinement of libccd. Its Gilbert-Johnson-Keerthi algorithm is less exact: it reports some
+// spheres as separate that overlap by 10 um.
 #include "dynamics3d/convex_overlap.hpp"
 
 #include <ccd/ccd.h>
@@ -24,7 +24,7 @@ struct PlacedShape {
   explicit PlacedShape(const PlacedSolid& solid)
       : kind(solid.kind), half(solid.half), centre(solid.centre), axes(solid.axes) {}
 
-  /// The point that lies farthest in a direction.
+  /// The point farthest in a direction.
   Vector3d farthest(const Vector3d& direction) const {
     const Vector3d d = axes.transpose() * direction;
     const auto along = [](double extent, double component) { return component < 0.0 ? -extent : extent; };
@@ -45,11 +45,11 @@ struct PlacedShape {
   Eigen::Matrix3d axes;
 };
 
-/// The library takes what is smaller than 1e-10 for zero, squares of lengths too: it is given units of the smallest
+/// Unit of length for libccd, which treats values below 1e-10 as zero, squares of lengths too: the size of the smallest
 /// solids.
 constexpr double kUnit = 1e-4;  // m
 
-/// For the library: the point of a placed shape that lies farthest in a direction.
+/// Support function for libccd: the point of a placed shape that is farthest in a direction.
 void supportOf(const void* shape, const ccd_vec3_t* direction, ccd_vec3_t* point) {
   const auto& d = direction->v;
   const Vector3d p = static_cast<const PlacedShape*>(shape)->farthest({d[0], d[1], d[2]}) / kUnit;

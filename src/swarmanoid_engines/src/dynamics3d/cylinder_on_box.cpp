@@ -1,4 +1,4 @@
-// A cylinder's face on a box's face, or a box's on a cylinder's.
+// Contacts of a cylinder's face with a box's face.
 #include <array>
 #include <cmath>
 
@@ -13,22 +13,21 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A face of a box and the disc of a cylinder that looks at it, in W [m]. Coordinates on the face are along its two
-/// edges.
+/// A face of a box and the opposite disc of a cylinder, in W [m]. Coordinates on the face are along its two edges.
 struct Faces {
   Vector3d out = Vector3d::UnitZ();    // of the box
   Vector3d middle = Vector3d::Zero();  // of the box's face
   std::array<Vector3d, 2> edges;       // unit vectors
   Vector2d half = Vector2d::Zero();    // of the box's face
   Vector3d centre = Vector3d::Zero();  // of the disc
-  std::array<Vector3d, 2> spokes;      // of the disc, as long as its radius; the first to where it would fall
+  std::array<Vector3d, 2> spokes;      // of the disc, as long as its radius; the first one in the direction of a fall
 
   Vector2d onFace(const Vector3d& vector) const { return {edges[0].dot(vector), edges[1].dot(vector)}; }
   double depthOf(const Vector3d& point) const { return out.dot(middle - point); }
 };
 
-/// Where a cylinder that stands on a face would fall: to where it is tilted already, or else downhill. It needs a
-/// contact there from the first step on: the tilt until it gets one would set it rocking.
+/// Direction in which a cylinder on a face would fall: that of its tilt, or else downhill. It needs a contact there
+/// from the first step on: tilting until it gets one would set it rocking.
 Vector3d wayToFall(const PlacedSolid& cylinder, const Vector3d& out) {
   constexpr double kTilted = 1e-3;  // rad
   constexpr double kSlope = 1e-6;   // rad
@@ -42,7 +41,7 @@ Vector3d wayToFall(const PlacedSolid& cylinder, const Vector3d& out) {
   return on_disc.normalized();
 }
 
-/// Of the solids as they are in the model: their growth makes contacts early, but carries nothing.
+/// Faces of the solids at their sizes in the model: growth makes contacts early, but carries no load.
 Faces facesOf(const PlacedSolid& cylinder, const PlacedSolid& box, int axis, double side) {
   constexpr double kGrowth = kMargin / 2.0;
   Faces faces;
@@ -69,7 +68,7 @@ Vector3d onRim(const Faces& faces, double angle) {
   return faces.centre + std::cos(angle) * faces.spokes[0] + std::sin(angle) * faces.spokes[1];
 }
 
-/// Visits the four ends of the spokes, as far as they are over the box's face.
+/// Visits those of the four ends of the spokes that are over the box's face.
 template <class Visit>  // void visit(const Vector3d& point_of_disc)
 void visitSpokes(const Faces& faces, Visit visit) {
   for (const Vector3d& spoke : faces.spokes) {
@@ -82,8 +81,8 @@ void visitSpokes(const Faces& faces, Visit visit) {
   }
 }
 
-/// Visits where the rim crosses the edges of the box's face.
-template <class Visit>  // likewise
+/// Visits the points where the rim crosses the edges of the box's face.
+template <class Visit>  // void visit(const Vector3d& point_of_disc)
 void visitCrossings(const Faces& faces, Visit visit) {
   const Vector2d centre = faces.onFace(faces.centre - faces.middle);
   for (int edge = 0; edge < 2; ++edge) {
@@ -106,7 +105,7 @@ void visitCrossings(const Faces& faces, Visit visit) {
 }
 
 /// Visits the corners of the box's face that are under the disc.
-template <class Visit>  // likewise
+template <class Visit>  // void visit(const Vector3d& point_of_disc)
 void visitCovered(const Faces& faces, Visit visit) {
   const Vector3d across = faces.spokes[0].cross(faces.spokes[1]);
   for (int corner = 0; corner < 4; ++corner) {
@@ -123,7 +122,7 @@ void visitCovered(const Faces& faces, Visit visit) {
 }  // namespace
 
 int collideFaces(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
-  constexpr double kFlat = 0.9;        // of the axes along each other: it stands, or is about to
+  constexpr double kFlat = 0.9;        // cosine between the axes: it stands, or is about to
   constexpr double kLookAhead = 4e-3;  // m above the face
   const bool is_first = dGeomGetClass(geom_a) == dCylinderClass;
   const dGeomID other = is_first ? geom_b : geom_a;
@@ -152,7 +151,7 @@ int collideFaces(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
       contacts.add({point, is_first ? faces.out : Vector3d(-faces.out), depth_there});
     }
   };
-  // the corners of what the two faces have in common
+  // the corners of the common area of the two faces
   visitSpokes(faces, collide);
   visitCrossings(faces, collide);
   visitCovered(faces, collide);

@@ -25,7 +25,7 @@ struct Cylinder {
 
   Eigen::Vector3d centre;
   Eigen::Vector3d axis;
-  Eigen::Vector3d spoke;  // some direction across the axis that turns with the cylinder
+  Eigen::Vector3d spoke;  // a direction across the axis, fixed to the cylinder
   double radius = 0.0;
   double half_length = 0.0;
 };
@@ -33,7 +33,7 @@ struct Cylinder {
 }  // namespace
 
 int collidePlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
-  constexpr double kFlat = 0.9;        // of the axis along the normal: it stands, or is about to
+  constexpr double kFlat = 0.9;        // cosine between axis and normal: it stands, or is about to
   constexpr double kLookAhead = 4e-3;  // m above the plane
   constexpr double kGrowth = kMargin / 2.0;
   if (dGeomGetClass(geom) != dCylinderClass) {
@@ -44,7 +44,7 @@ int collidePlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
   dGeomPlaneGetParams(plane, equation);
   const Eigen::Vector3d normal = toVector(equation);
   const double along = normal.dot(cylinder.axis);
-  // of the solid as it is in the model: its growth makes contacts early, but carries nothing
+  // at the size of the solid in the model: growth makes contacts early, but carries no load
   const double radius = cylinder.radius - kGrowth;
   const Eigen::Vector3d face = -std::copysign(cylinder.half_length - kGrowth, along) * cylinder.axis;  // the lower one
   Eigen::Vector3d down = along * cylinder.axis - normal;
@@ -68,8 +68,8 @@ int collidePlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
 
 int collideSides(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
   constexpr double kParallel = 0.98;  // cosine of 11 degrees
-  constexpr double kStanding = 0.02;  // m: what sinks in deeper came from the side, or was put there
-  constexpr double kFacing = 2e-3;    // m: those that face each other along less touch with their edges
+  constexpr double kStanding = 0.02;  // m: with more common height, they came from the side, or were placed there
+  constexpr double kFacing = 2e-3;    // m: cylinders with less common height touch with their edges
   if (dGeomGetClass(geom_a) != dCylinderClass || dGeomGetClass(geom_b) != dCylinderClass) {
     return 0;
   }

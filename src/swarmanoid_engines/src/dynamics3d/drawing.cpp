@@ -1,4 +1,4 @@
-// What ODE sees, as lines.
+// Debug drawing of the engine.
 #include <array>
 #include <cmath>
 

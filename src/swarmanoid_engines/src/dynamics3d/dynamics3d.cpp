@@ -1,4 +1,4 @@
-// What changes in the engine between ticks: parameters, entities and their poses.
+// Changes of the engine between ticks: parameters, entities and their poses.
 #include "dynamics3d/dynamics3d.hpp"
 
 #include <Eigen/Cholesky>
@@ -45,7 +45,7 @@ void Dynamics3d::takeTerrain(const std::shared_ptr<const Terrain>& terrain) {
 
 std::string Dynamics3d::invalidPoseReason(const EntityModel& model, const Pose& pose) const {
   constexpr double kInGround = 1e-4;       // m
-  constexpr double kInRoughGround = 2e-3;  // m: treels' balls are soft, so that much of them may be in a slope
+  constexpr double kInRoughGround = 2e-3;  // m: treels' balls are soft, so they may be that deep in a slope
   if (!model.is_movable || model.shapes.empty()) {
     return "";
   }
@@ -82,7 +82,7 @@ void Dynamics3d::add(Space& space, Row row, Role role) {
   makeWorld();
   by_row_.fit(row) = makeBody(world_, space, row, role);
   Body& body = *by_row_[row];
-  // a mirror of an old entity may come late: the order is by number, not by arrival
+  // the mirror of an older entity may be added later: the order is by number, not by arrival
   const auto place = std::upper_bound(order_.begin(), order_.end(), &body,
                                       [](const Body* a, const Body* b) { return a->number < b->number; });
   rankFrom(order_.insert(place, &body));
@@ -105,7 +105,7 @@ void Dynamics3d::rankFrom(std::vector<Body*>::iterator first) {
 
 void Dynamics3d::takePose(const Space& space, Body& body) {
   body.steadiness = Steadiness{};
-  constexpr double kFastest = 5.0;       // m/s: a mirror that was put elsewhere did not go there
+  constexpr double kFastest = 5.0;       // m/s: a faster mirror was placed elsewhere and did not move there
   constexpr double kFastestTurn = 20.0;  // rad/s
   const Span<const JointState> joints = space.joints[body.row];
   body.setPose(space.entities.pose[body.row], joints);
@@ -118,12 +118,12 @@ void Dynamics3d::takePose(const Space& space, Body& body) {
     twist = Twist{};
   }
   if (!body.is_dynamic) {
-    twist.linear = meanVelocity(twist, toSeconds(space.clocktick));  // straight to where its entity's arc leads
+    twist.linear = meanVelocity(twist, toSeconds(space.clocktick));  // straight to the end of its entity's arc
   }
   body.setTwist(twist, joints);
   takeTurret(body, space);
   if (body.model->wheels) {
-    takeSpeed(body, twist);  // a body that comes at speed keeps it
+    takeSpeed(body, twist);  // a body that arrives at speed keeps it
   }
 }
 
@@ -164,7 +164,7 @@ Dynamics3d::~Dynamics3d() {
 }
 
 void Dynamics3d::makeWorld() {
-  constexpr double kFastestCorrection = 0.3;  // m/s: how fast what was put into each other comes apart
+  constexpr double kFastestCorrection = 0.3;  // m/s: separation speed of bodies that were placed into each other
   constexpr double kFastestTurn = 200.0;      // rad/s
   if (world_ != nullptr) {
     return;
@@ -175,7 +175,7 @@ void Dynamics3d::makeWorld() {
   dWorldSetContactMaxCorrectingVel(world_, kFastestCorrection);
   dWorldSetMaxAngularSpeed(world_, kFastestTurn);
   dWorldSetQuickStepNumIterations(world_, settings_.iterations);
-  // when more bodies than ever touch, the memory for a step grows: by so much that it hardly happens again
+  // when more bodies touch than before, the memory for a step grows, by so much that it hardly happens again
   const dWorldStepReserveInfo memory = {sizeof(dWorldStepReserveInfo), 2.0F, 1U << 20U};
   dWorldSetStepMemoryReservationPolicy(world_, &memory);
   touches_.configure(settings_, ground_);
@@ -183,7 +183,7 @@ void Dynamics3d::makeWorld() {
 }
 
 void Dynamics3d::destroyWorld() {
-  // what stays would make the next world another one than the first
+  // remaining state would make the next world differ from the first
   order_.clear();
   seen_.clear();
   by_row_.clear();
@@ -193,7 +193,7 @@ void Dynamics3d::destroyWorld() {
     dWorldDestroy(world_);
     world_ = nullptr;
   }
-  dRandSetSeed(0);  // the lock that is held writes it to `seed_` when it ends
+  dRandSetSeed(0);  // the current lock writes it to `seed_` when it ends
   counts_ = SolverCounts{};
   has_reported_trouble_ = false;
   has_reported_islands_ = false;

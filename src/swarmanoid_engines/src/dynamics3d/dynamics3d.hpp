@@ -1,29 +1,29 @@
 /// The three-dimensional dynamic engine (thesis 3.5.3): rigid bodies with masses, forces, friction and gravity, by ODE.
 ///
 /// Wheeled robots stand on treels that drive with no more than the friction they have (treels.hpp). Preys and blocks
-/// with a mass are pushed, fall, topple; blocks without one are fixed. Grips are rigid joints: any number of grippers
-/// on one object, chains, and they break when pulled too hard; with a turret (turret.hpp) they turn. So do suction and
-/// magnets break, also on what is fixed. Joints move links (arms.hpp), ropes carry who hangs on them (rope.hpp). Flying
-/// robots fly by thrust and drag (flight.hpp); one without its flight controller falls. An entity that another engine
-/// moves is a mirror: it goes on from where it was when the tick began as fast as it then moved, nothing stops it, and
-/// what it meets is pushed away.
+/// with a mass are pushed, fall, topple; blocks without one are fixed. Grips are rigid joints that break when pulled
+/// too hard: any number of grippers may hold one object, and chains are allowed; a turret turns the grip (turret.hpp).
+/// Suction and magnets break in the same way, and also hold fixed entities. Joints move links (arms.hpp), ropes carry
+/// the bodies that hang on them (rope.hpp). Flying robots fly by thrust and drag (flight.hpp); without a flight
+/// controller they fall. An entity that another engine moves is a mirror: it continues from its pose at the start of
+/// the tick with the twist that it had then; nothing stops it, and it pushes other bodies away.
 ///
 /// ODE's bodies have their origin in the centre of mass; poses and twists in the space are of the entities' origins.
 /// Entities at rest on the ground keep their height to a few micrometres.
 ///
-/// ODE's exact solver gives up now and then where contacts tie. Such a step is done again with ties broken otherwise, a
-/// few times, and then by the iterative solver; so no step is left with contacts that hold nothing. The first tick of a
-/// run in which the iterative solver had to help has an event (kEngineTrouble); afterwards it is only counted.
+/// ODE's exact solver sometimes gives up where contacts tie. Such a step is repeated a few times with ties broken in
+/// other ways, then by the iterative solver; so no step leaves contacts without force. The first tick of a run in which
+/// the iterative solver had to help has an event (kEngineTrouble); afterwards it is only counted.
 ///
-/// Islands that only contacts connect have a solver of their own, large ones with grips, ropes or links go to the
+/// Islands that only contacts connect have a solver of their own; large islands with grips, ropes or links go to the
 /// iterative solver (islands.hpp).
 ///
-/// Bodies that go on as they did, or stand, with nobody near, are moved without ODE (steady_motion.hpp).
+/// Bodies in steady motion or at rest, without neighbours, are moved without ODE (steady_motion.hpp).
 ///
-/// Terrain is ground as the level one is, and takes its place in its rectangle (ground_contacts.hpp).
+/// Terrain is ground like the level ground, and replaces it in its rectangle (ground_contacts.hpp).
 ///
-/// Rays hit the entities' shapes as they were after the last tick; a mirror is not hit, the engine that moves it
-/// answers for it. ODE itself is not asked, so any number of threads may cast rays.
+/// Rays hit the entities' shapes at their poses after the last tick. They do not hit mirrors: the engine that moves the
+/// entity reports those hits. Rays do not use ODE, so any number of threads may cast them.
 #pragma once
 
 #include <cstdint>
@@ -41,15 +41,15 @@ namespace swarmanoid::dynamics3d {
 
 class Dynamics3d final : public Engine {
  public:
-  /// What the solver did since the world was made or cleared.
+  /// Counts of the solver since the world was made or cleared.
   struct SolverCounts {
     std::uint64_t steps = 0;
-    std::uint64_t moved = 0;            ///< bodies that forces moved in these steps; the others moved steadily
+    std::uint64_t moved = 0;            ///< bodies moved by forces in these steps; the others moved steadily
     std::uint64_t redone = 0;           ///< steps in which the exact solver gave up at least once
-    std::uint64_t corrected = 0;        ///< solutions made once more, since friction did not oppose the slip
-    std::uint64_t corrected_ropes = 0;  ///< solutions made once more to close ropes and hinges
-    std::uint64_t iterative = 0;        ///< of the steps redone, those that the iterative solver made in the end
-    std::uint64_t large = 0;            ///< with islands that are too large for an exact solution
+    std::uint64_t corrected = 0;        ///< solutions repeated because friction did not oppose the slip
+    std::uint64_t corrected_ropes = 0;  ///< solutions repeated to close ropes and hinges
+    std::uint64_t iterative = 0;        ///< redone steps that the iterative solver made in the end
+    std::uint64_t large = 0;            ///< steps with islands that are too large for an exact solution
   };
 
   static PluginDescription describe();
@@ -84,29 +84,29 @@ class Dynamics3d final : public Engine {
   double gravity() const override { return settings_.gravity; }
   const SolverCounts& solverCounts() const { return counts_; }
 
-  /// Notes what the treels of every robot that has them do from now on, by step and entity number; null: no longer. For
-  /// comparisons with what physics says.
+  /// Records the treels of all robots that have them, from now on, by step and entity number; null: stops. For
+  /// comparisons with theory.
   void record(std::vector<Treels>* treels) { recorded_treels_ = treels; }
-  /// Whether what moves steadily is moved by ODE too, from now on. For comparisons likewise.
+  /// Whether ODE also moves bodies in steady motion, from now on. For comparisons, too.
   void keepInOde(bool keeps_all) { keeps_all_in_ode_ = keeps_all; }
 
  private:
   Body* find(Row row) const { return by_row_.has(row) ? by_row_[row].get() : nullptr; }
   void makeWorld();
   void destroyWorld();
-  /// Ranks are places in `order_`; those before `first` have theirs.
+  /// Sets the ranks, which are positions in `order_`, from `first` on; the ranks before it are valid.
   void rankFrom(std::vector<Body*>::iterator first);
   void takePose(const Space& space, Body& body);
 
   // motion.cpp
-  /// Leaves those out of ODE that move steadily in the tick that begins.
+  /// Leaves bodies in steady motion out of ODE for the tick that begins.
   void leaveOutSteady(double tick);
   /// Takes bodies with a neighbour in again. @param steps number of finished steps of this tick
   void takeInReached(int steps, double step);
   void takeIn(Body& body, int steps, double step);
-  /// What hangs on a rope does not move steadily: ropes are no lasting joints in ODE.
+  /// Keeps bodies held by a rope out of steady motion: ropes are not lasting joints in ODE.
   void noteRopes();
-  /// @param number from 0, of the step in the tick
+  /// @param number of the step in the tick, from 0
   void stepOnce(int number, double step);
   void setDamping(bool is_damped);
   void finishTick(Space& space);
@@ -158,22 +158,22 @@ class Dynamics3d final : public Engine {
   void takeOverGrips(const Space& space, Body& body);
   void release(Space& space, Body& robot, const std::string& why);
   static void letGo(Grip& grip);
-  /// What the holders of the body hold, and those of others that hold it.
+  /// Releases the holders of the body, and those of others that hold it.
   void forgetHolds(Body& body);
   void feelGrips(double step);
 
   Settings settings_;
   GroundSurface ground_;
-  unsigned long seed_ = 0;  // of this world, in ODE
+  unsigned long seed_ = 0;  // random seed of this world, in ODE
   dWorldID world_ = nullptr;
   Touches touches_;
   Contacts contacts_;
   Islands islands_;
   RowMap<std::unique_ptr<Body>> by_row_;
   std::vector<Body*> order_;        // by entity number
-  SortedBounds<const Body*> seen_;  // by rays, and by overlap
-  std::vector<Body*> left_out_;     // of ODE, in the tick under way; those taken in again too
-  int settling_ = 0;                // steps that are left until what was put down stands
+  SortedBounds<const Body*> seen_;  // for rays and overlap
+  std::vector<Body*> left_out_;     // of ODE, in the current tick; includes those taken in again
+  int settling_ = 0;                // steps until placed bodies have settled
   SolverCounts counts_;
   bool has_reported_trouble_ = false;
   bool has_reported_islands_ = false;

@@ -12,18 +12,18 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDrag = 0.3;  // N s/m
-// Along the horizontal, where the body has to tilt first, and along the vertical.
+// Gains along the horizontal, where the body has to tilt first, and along the vertical.
 constexpr double kPlaceGain = 2.0;         // 1/s2
 constexpr double kPlaceGainUp = 6.0;       // 1/s2
 constexpr double kSpeedGain = 3.0;         // 1/s
 constexpr double kSpeedGainUp = 6.0;       // 1/s
-constexpr double kMostLead = 0.15;         // m between where it is and where it would be, had it flown as commanded
+constexpr double kMostLead = 0.15;         // m: limit of the distance between the position set point and the robot
 constexpr double kMostAcceleration = 3.0;  // m/s2, along the horizontal and the vertical: tilts of 17 degrees
 constexpr double kMostThrust = 2.0;        // of the weight
 constexpr double kTurnGain = 256.0;        // 1/s2
 constexpr double kTurnDamping = 32.0;      // 1/s
 
-/// Holds the place where the robot is.
+/// Sets the set points to the robot's current pose.
 void hold(Flight& flight, const Vector3d& centre, const Eigen::Quaterniond& orientation) {
   const Vector3d ahead = orientation * Vector3d::UnitX();
   flight.is_holding = true;
@@ -31,7 +31,7 @@ void hold(Flight& flight, const Vector3d& centre, const Eigen::Quaterniond& orie
   flight.heading = std::atan2(ahead.y(), ahead.x());
 }
 
-/// Moves the place that is held as commanded, but not far from where the robot is: what is blocked gives in.
+/// Moves the set points, clamped to a distance from the robot so that a blocked robot does not wind up.
 void advance(Flight& flight, const Vector3d& centre, const Vector3d& way, double turn) {
   flight.heading = wrapAngle(flight.heading + turn);
   flight.held += way;
@@ -50,7 +50,7 @@ Vector3d limited(Vector3d acceleration) {
   return acceleration;
 }
 
-/// The attitude whose z axis is along `up` and whose x axis looks towards the heading.
+/// The attitude whose z axis is along `up` and whose x axis points to the heading.
 Eigen::Matrix3d attitude(const Vector3d& up, double heading) {
   Eigen::Matrix3d axes;
   axes.col(2) = up.normalized();

@@ -1,9 +1,9 @@
-/// How a robot flies: one thrust along body z and three torques, as its four rotors make them, and drag.
+/// Flight of a robot: one thrust along body z and three torques, as from its four rotors, and drag.
 ///
-/// An inner loop keeps what its flight computer keeps: it tilts the body until the thrust gives the wanted
-/// acceleration. An outer loop follows the commanded velocity and, by its integral, the place where the robot would be
-/// had it flown as commanded: so it hovers at its height whatever drag and collisions do. Velocities are those of the
-/// centre of mass, in the frame that has the body's heading and stands upright.
+/// An inner loop does the work of the flight computer: it tilts the body until the thrust gives the wanted
+/// acceleration. An outer loop follows the commanded velocity and, by its integral, the position that the robot would
+/// have had it flown as commanded: so it hovers at its height in spite of drag and collisions. Velocities are those of
+/// the centre of mass, in the upright frame with the body's heading.
 #pragma once
 
 #include "dynamics3d/body.hpp"

@@ -10,13 +10,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSlips = 1e-3;       // m/s: what slips less is held
-constexpr double kNoticeable = 0.02;  // m/s2, of the lighter body: what forces must change to matter
+constexpr double kSlips = 1e-3;       // m/s: contacts that slip less are held
+constexpr double kNoticeable = 0.02;  // m/s2, of the lighter body: smaller changes of forces do not matter
 
-/// The part of a vector along a surface.
+/// Component of a vector along a surface.
 Vector3d alongSurface(const Vector3d& vector, const Vector3d& normal) { return vector - normal.dot(vector) * normal; }
 
-/// Some direction along a surface that turns with the body.
+/// A direction along a surface, fixed to the body.
 Vector3d ownAxis(dBodyID rigid, const Vector3d& normal) {
   constexpr double kLeastAcross = 0.5;
   const Eigen::Quaterniond turn = toQuaternion(dBodyGetQuaternion(rigid));
@@ -32,7 +32,7 @@ void layAlong(const Vector3d& axis, const Vector3d& belt, dContact& contact) {
   contact.surface.motion2 = belt.dot(across);
 }
 
-/// Of a point of a body that was so far from its centre of mass before the step.
+/// Velocity of a point of a body. @param arm from the centre of mass to the point, before the step
 Vector3d velocityOf(dBodyID rigid, const Vector3d& arm) {
   if (rigid == nullptr) {
     return Vector3d::Zero();
@@ -44,7 +44,7 @@ Vector3d armTo(const Vector3d& point, dBodyID rigid) {
   return rigid == nullptr ? Vector3d::Zero() : Vector3d(point - toVector(dBodyGetPosition(rigid)));
 }
 
-/// Of the lighter of two bodies that forces move [kg].
+/// Mass of the lighter dynamic body [kg].
 double lighterMass(const Body& a, const Body* b) {
   if (b == nullptr || !b->is_dynamic) {
     return a.model->mass;
@@ -137,7 +137,7 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
     rubbing.slip_per_force = kYield;
     return;
   }
-  // a treel that begins to slip finds its direction in the steps that follow; in a crowd some treel always begins to
+  // a treel that begins to slip finds its direction in the following steps; in a crowd there always is such a treel
   rubbing.keeps_axis = has_belt || speed > holds;
   rubbing.holding = holds;
   rubbing.slip_per_force = 0.0;
@@ -160,7 +160,7 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
 double Friction::recall(const Rubbing& rubbing) {
   const ContactForce* before = memory_.recall(rubbing.key, rubbing.rigid_a, rubbing.arm_a);
   const double limit = before == nullptr ? -1.0 : rubbing.coefficient * before->load;
-  // a contact without a load then may have one now
+  // a contact without a load before may have one now
   return limit > kNoticeable * rubbing.mass ? limit : -1.0;
 }
 
@@ -181,14 +181,14 @@ double Friction::loadOf(const Rubbing& rubbing) {
 }
 
 double Friction::changeOfBelt(const Rubbing& rubbing) const {
-  constexpr double kSteps = 1.5;  // a treel that holds has the direction of the middle of the last step
+  constexpr double kSteps = 1.5;  // a holding treel has the direction of the middle of the last step
   const double turn_rate = rubbing.normal.dot(toVector(dBodyGetAngularVel(rubbing.rigid_a)));
   return step_ * kSteps * std::abs(turn_rate) * rubbing.belt.norm();
 }
 
 double Friction::usualLoad(const Rubbing& rubbing) const {
-  constexpr double kContacts = 4.0;  // that share a body's weight
-  constexpr double kLeast = 1.0;     // m/s2, where there is no gravity
+  constexpr double kContacts = 4.0;  // that share the weight of a body
+  constexpr double kLeast = 1.0;     // m/s2, without gravity
   return rubbing.mass * std::max(gravity_, kLeast) / kContacts;
 }
 

@@ -1,25 +1,25 @@
-/// Coulomb's friction, as ODE can have it.
+/// Coulomb friction within the limits of ODE.
 ///
-/// ODE limits friction along two axes, each for itself: a pyramid, square root of two too strong between its axes. So
-/// the first axis of each contact is laid along the slip, where the limit is Coulomb's. Across it friction grows with
-/// the slip across, as the cone does for a slip that turns; so in steady sliding none is left there. What rests is held
-/// in any direction, up to the limit along the pull of gravity and drives.
+/// ODE limits friction along two axes separately: a pyramid, too strong by the square root of two between its axes. So
+/// the first axis of each contact is laid along the slip, where the limit is Coulomb's. Across it, friction grows with
+/// the slip across, as the cone does for a slip that turns; in steady sliding there is none. Contacts at rest hold in
+/// any direction, up to the limit along the pull of gravity and drives.
 ///
-/// ODE's exact solver limits friction by the loads that contacts would have if nothing rubbed. Loads that come from
-/// friction, as that of a wall against which treels drive a robot, are unknown to it. So contacts get fixed limits, and
-/// an island is solved again from the same state, with the limits that the loads of the solution give, until loads and
-/// friction agree. The same passes find the direction of friction where rest turns into sliding in the step (Newton's
-/// method on the cone); not for treels: in a crowd some always begin to slip, and their direction is found in the steps
-/// that follow.
+/// ODE's exact solver limits friction by the loads that contacts would have without any friction. It does not know
+/// loads that come from friction, such as that of a wall against which treels drive a robot. So contacts get fixed
+/// limits, and an island is solved again from the same state, with the limits that the loads of the solution give,
+/// until loads and friction agree. The same passes find the direction of friction where rest turns into sliding in the
+/// step (Newton's method on the cone). Treels are excepted: in a crowd some always begin to slip, and the following
+/// steps find their direction.
 ///
-/// The first solution of a step uses the limits of the step before, so that in steady motion one solution is enough.
-/// New contacts, and those without a load before, have ODE's limits in it. After entities came, went or were moved from
-/// outside nothing is remembered.
+/// The first solution of a step uses the limits of the step before, so that steady motion needs one solution only. New
+/// contacts, and contacts without a load before, use ODE's limits in it. After entities were added, removed or placed,
+/// no limits are remembered.
 ///
-/// What a driven robot pushes rubs along the ground only at its sides, and yields up and down: rigid bodies leave
-/// undetermined how much of a load a pusher carries by friction, and here treels and ground carry all of it.
+/// Where a driven robot pushes an object, friction between them is horizontal only, and yields vertically: rigid bodies
+/// leave undetermined how much of a load the pusher carries by friction; here treels and ground carry all of it.
 ///
-/// Everything is relative to the surfaces, nothing to the axes of W.
+/// All directions are relative to the surfaces, none to the horizontal axes of W.
 #pragma once
 
 #include <cstddef>
@@ -72,44 +72,44 @@ class Friction {
     dBodyID rigid_b = nullptr;                          // null: does not move
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of b
     Eigen::Vector3d arm_a = Eigen::Vector3d::Zero();    // from the centre of mass to the contact, before the step [m]
-    Eigen::Vector3d arm_b = Eigen::Vector3d::Zero();    // likewise
-    Eigen::Vector3d belt = Eigen::Vector3d::Zero();     // velocity that a would have without slip, against b [m/s]
+    Eigen::Vector3d arm_b = Eigen::Vector3d::Zero();    // as arm_a
+    Eigen::Vector3d belt = Eigen::Vector3d::Zero();     // velocity of a without slip, relative to b [m/s]
     double coefficient = 0.0;
-    double mass = 0.0;     // of the lighter one that moves [kg]
-    double holding = 0.0;  // what slips less is held [m/s]
+    double mass = 0.0;     // of the lighter movable body [kg]
+    double holding = 0.0;  // contacts that slip less are held [m/s]
     dJointFeedback feedback = {};
 
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // the first of friction
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // first axis of friction
     double slip_per_force = 0.0;                      // across it [m/s/N]
-    bool keeps_axis = false;                          // it slips already, or is a treel's: it follows from step to step
-    bool is_known = false;                            // the axis, from a solution of this step
-    double limit = -1.0;                              // of friction [N]; below 0: that of ODE
+    bool keeps_axis = false;                          // it slips already, or is a treel's: kept in a step
+    bool is_known = false;                            // the axis comes from a solution of this step
+    double limit = -1.0;                              // of friction [N]; below 0: ODE's limit
   };
 
   /// Forgets the contacts of the last step.
   void resetRubbings();
-  /// The limit that the contact had in the step before; below 0: none. @pre numbers of its calls ascend
+  /// The limit of the contact in the last step; below 0: none. @pre numbers ascend from call to call
   double recall(const Rubbing& rubbing);
-  /// Lays the axis by what is known before the step.
+  /// Lays the axis by the state before the step.
   void guess(const Body& a, const Body* b, const dContact& contact, Rubbing& rubbing) const;
-  /// By how much the velocity of a belt that does not slip differs from that of what it drives, before a step [m/s].
+  /// Apparent slip of a belt that holds, from the rotation of its body before a step [m/s].
   double changeOfBelt(const Rubbing& rubbing) const;
-  /// On a contact, as far as can be guessed [N].
+  /// Estimated load of a contact [N].
   double usualLoad(const Rubbing& rubbing) const;
-  /// Now [m/s].
+  /// Current slip velocity [m/s].
   static Eigen::Vector3d slipOf(const Rubbing& rubbing);
-  /// By all forces but contacts' [m/s2].
+  /// Acceleration by all forces except contact forces [m/s2].
   Eigen::Vector3d pullOf(const Body* body, dBodyID rigid) const;
   static bool isCoulombs(Rubbing& rubbing);
-  /// In the last solution [N].
+  /// Load in the last solution [N].
   static double loadOf(const Rubbing& rubbing);
 
   ContactMemory& memory_;
   double step_ = 0.0;
   double gravity_ = 0.0;
-  std::deque<Rubbing> rubbings_;     // by number; ODE writes into them, so they must not move; there are never fewer
-  std::size_t contacts_ = 0;         // numbers of this step are less
-  bool are_rubbings_reset_ = false;  // in this step; without joints there is no need
+  std::deque<Rubbing> rubbings_;     // by number; ODE writes into them, so they must not move; never shrinks
+  std::size_t contacts_ = 0;         // numbers of this step are below it
+  bool are_rubbings_reset_ = false;  // in this step; not needed without joints
   bool is_again_ = false;
   bool uses_memory_ = false;
 };

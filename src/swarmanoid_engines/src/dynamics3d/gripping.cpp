@@ -1,5 +1,5 @@
-// Phase `connect`: grippers take hold and let go. During `move` they and all other holders feel the force on them, and
-// may break.
+// Phase `connect`: grippers close and open. During `move`, grippers and all other holders measure the force on them,
+// and may break.
 #include <cmath>
 #include <limits>
 
@@ -10,7 +10,7 @@
 namespace swarmanoid::dynamics3d {
 namespace {
 
-/// From a point to the gripping strip around an entity [m]; infinity beside the strip's height.
+/// Distance from a point to the gripping strip around an entity [m]; infinite outside the strip's height.
 double distanceToStrip(const Eigen::Vector3d& point, const Body& object) {
   const Eigen::Vector3d local = object.pose.orientation.conjugate() * (point - object.pose.position);
   if (local.z() < object.model->lowest || local.z() > object.model->highest) {
@@ -55,7 +55,7 @@ Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
   const Body* nearest = nullptr;
   double nearest_distance = kGripperReach;
   seen_.visitNear({tip - reach, tip + reach}, [&](const Body* body, const Eigen::AlignedBox3d&) {
-    // a structure is a tree: no robot grips a body that hangs on it
+    // a structure is a tree: a robot must not grip a body that hangs on it
     if (body == &robot || !body->is_dynamic || !body->model->gripping_radius ||
         space.structure.root(body->row) == robot.row) {
       return true;
@@ -148,7 +148,7 @@ void Dynamics3d::forgetHolds(Body& body) {
 }
 
 void Dynamics3d::feelGrips(double step) {
-  // A blow that lasts one step is as strong as the step is short; what breaks a grip has to last.
+  // The shorter the step, the stronger the force of an impact that lasts one step; only a lasting force breaks a grip.
   constexpr double kLasting = 0.05;  // s
   const double share = 1.0 - std::exp(-step / kLasting);
   for (Body* body : order_) {

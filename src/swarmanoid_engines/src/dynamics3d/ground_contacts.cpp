@@ -29,7 +29,7 @@ SurfaceContacts collideGround(const GroundSurface& ground, const PlacedSolid& so
 double riseOut(const GroundSurface& ground, const std::vector<CollisionShape>& shapes, const Pose& body) {
   constexpr int kMostSteps = 30;
   constexpr double kOut = 1e-6;          // m
-  constexpr double kLeastUpwards = 0.1;  // cosine; cliffs push aside, so the way up is found in steps
+  constexpr double kLeastUpwards = 0.1;  // cosine; cliffs push sideways, so the way up is found in steps
   Pose lifted = body;
   for (int step = 0; step < kMostSteps; ++step) {
     double depth = 0.0;

@@ -1,8 +1,8 @@
 /// Contacts of a solid with ground that is not level.
 ///
-/// ODE has heightfields of its own, but sees no contact where a ball or a face meets a ridge: a footbot's treels would
-/// fall through. So contacts are found here. Balls meet the nearest points of the surface. Boxes and cylinders meet it
-/// with their corners and rims, and ridges and summits meet their faces.
+/// ODE has heightfields of its own, but finds no contact where a ball or a face meets a ridge: a footbot's treels would
+/// fall through. So contacts are found here: balls touch the nearest points of the surface; boxes and cylinders touch
+/// it with their corners and rims, and ridges and summits touch their faces.
 #pragma once
 
 #include <vector>
@@ -17,13 +17,13 @@ namespace swarmanoid::dynamics3d {
 /// @pre ground.isRoughAt(solid's bounds)
 SurfaceContacts collideGround(const GroundSurface& ground, const PlacedSolid& solid, double margin);
 
-/// By how much shapes must be lifted until none of them is in the ground [m]; 0 if none is.
+/// Height by which shapes must be lifted until none of them is in the ground [m]; 0 if none is.
 /// @pre ground.isRoughAt(entity's bounds)
 double riseOut(const GroundSurface& ground, const std::vector<CollisionShape>& shapes, const Pose& body);
 
 // The parts of collideGround.
 
-/// A point of a solid: out of the ground it is in, on the shorter way, if it is by a cliff.
+/// Contact of a point of a solid. Near a cliff, a point in the ground leaves it by the shorter way.
 /// @param radius of a ball around the point
 void collidePoint(const GroundSurface& ground, const Eigen::Vector3d& point, double radius, double margin,
                   SurfaceContacts& contacts);

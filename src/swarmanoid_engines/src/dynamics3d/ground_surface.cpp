@@ -5,7 +5,7 @@
 namespace swarmanoid::dynamics3d {
 
 double GroundSurface::foot() const {
-  constexpr double kDeep = 1.0;  // m: without a level ground cliffs end somewhere
+  constexpr double kDeep = 1.0;  // m: depth of cliffs without a level ground
   return level_.value_or(terrain_->bounds().min().z() - kDeep);
 }
 

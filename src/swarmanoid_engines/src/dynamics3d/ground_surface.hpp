@@ -1,7 +1,7 @@
-/// Ground that is not level, as contacts see it: a terrain, the level ground around it, and the cliffs between them.
+/// Ground that is not level, for contacts: a terrain, the level ground around it, and the cliffs between them.
 ///
-/// Within the terrain's rectangle there is no level ground, so what is lower is a hole. Below the surface the ground is
-/// solid all the way down. Frame W.
+/// The level ground ends at the terrain's rectangle, so lower terrain is a hole. Below the surface the ground is solid
+/// all the way down. Frame W.
 #pragma once
 
 #include <memory>
@@ -20,52 +20,52 @@ class GroundSurface {
     double height;
     Eigen::Vector3d normal;
   };
-  /// An edge that two parts of the surface bend away from.
+  /// A convex edge between two parts of the surface.
   struct Ridge {
     Eigen::Vector3d from;
     Eigen::Vector3d to;
-    Eigen::Vector3d out;  ///< of the ground, midway between the normals of the two
+    Eigen::Vector3d out;  ///< out of the ground, midway between the normals of both parts
   };
 
   GroundSurface() = default;
-  /// @param level height of the level ground; nothing: there is none
+  /// @param level height of the level ground; nullopt: there is none
   GroundSurface(std::shared_ptr<const Terrain> terrain, std::optional<double> level)
       : terrain_(std::move(terrain)), level_(level) {}
 
-  /// Whether any of the box is above the terrain's rectangle, or below it; otherwise only the level ground counts.
+  /// Whether any part of the box is above or below the terrain's rectangle; otherwise only the level ground counts.
   bool isRoughAt(const Eigen::AlignedBox3d& box) const {
     return terrain_ != nullptr && terrain_->cellsIn(box.min().head<2>(), box.max().head<2>()).high.x() >= 0;
   }
-  /// The highest ground that the box is above, or below. @pre isRoughAt(box)
+  /// The largest height of the ground above or below the box. @pre isRoughAt(box)
   double highestAt(const Eigen::AlignedBox3d& box) const;
-  /// Nothing where there is no ground.
+  /// Nullopt where there is no ground.
   std::optional<Column> columnAt(const Eigen::Vector3d& point) const;
-  /// The level ground, as seen from a point above it or below; nothing where it is not.
+  /// Height of the level ground above or below a point; nullopt where there is none.
   std::optional<double> levelAt(const Eigen::Vector3d& point) const {
     return terrain_->contains(point.x(), point.y()) ? std::nullopt : level_;
   }
 
-  // Those that the box may meet. @pre isRoughAt(box)
+  // Visits those that the box may touch. @pre isRoughAt(box)
   template <class Visit>  // void visit(const Triangle&)
   void visitTriangles(const Eigen::AlignedBox3d& box, Visit visit) const;
-  template <class Visit>  // void visit(const Triangle&): of cliffs, which look to where the ground is lower
+  template <class Visit>  // void visit(const Triangle&): of cliffs; normals towards the lower ground
   void visitCliffs(const Eigen::AlignedBox3d& box, Visit visit) const;
   template <class Visit>  // void visit(const Ridge&)
   void visitRidges(const Eigen::AlignedBox3d& box, Visit visit) const;
 
  private:
-  /// Of two vertices on the terrain's rim.
+  /// An edge between two vertices on the terrain's rim.
   struct RimEdge {
     Eigen::Vector3d from;
     Eigen::Vector3d to;
     Eigen::Vector3d outwards;  ///< along x or y
-    Triangle inside;           ///< the terrain's
+    Triangle inside;           ///< triangle of the terrain
   };
 
   Terrain::Cells cellsIn(const Eigen::AlignedBox3d& box) const {
     return terrain_->cellsIn(box.min().head<2>(), box.max().head<2>());
   }
-  /// Where cliffs end at the latest.
+  /// Height of the foot of cliffs: the level ground; without one, below the whole terrain.
   double foot() const;
   template <class Visit>  // void visit(const RimEdge&)
   void visitRim(const Eigen::AlignedBox3d& box, Visit visit) const;
@@ -116,7 +116,7 @@ void GroundSurface::visitRim(const Eigen::AlignedBox3d& box, Visit visit) const 
 
 template <class Visit>
 void GroundSurface::visitCliffs(const Eigen::AlignedBox3d& box, Visit visit) const {
-  constexpr double kLeast = 1e-9;  // m: less is no cliff
+  constexpr double kLeast = 1e-9;  // m: lower steps are no cliffs
   const double foot = this->foot();
   visitRim(box, [&](const RimEdge& edge) {
     const double from = edge.from.z() - foot;
@@ -135,7 +135,7 @@ void GroundSurface::visitCliffs(const Eigen::AlignedBox3d& box, Visit visit) con
 template <class Visit>
 void GroundSurface::visitIfRidge(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Triangle& a,
                                  const Triangle& b, Visit visit) {
-  constexpr double kFlat = 1e-9;  // m: by which the second triangle is lower than the first one's plane
+  constexpr double kFlat = 1e-9;  // m: depth of the second triangle below the plane of the first one
   double rise = 0.0;
   for (const Eigen::Vector3d& corner : b.corners) {
     rise = std::min(rise, a.normal.dot(corner - from));

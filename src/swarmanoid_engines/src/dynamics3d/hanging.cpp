@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 Eigen::Matrix3d axesOf(dBodyID rigid) { return toQuaternion(dBodyGetQuaternion(rigid)).toRotationMatrix(); }
 
-/// Adds the gyroscopic torque instead of ODE's.
+/// Adds the gyroscopic torque in place of ODE's.
 void startTurning(dBodyID rigid, const Eigen::Matrix3d& inertia, Turning& turning) {
   const Eigen::Matrix3d axes = axesOf(rigid);
   turning.before = axes.transpose() * toVector(dBodyGetAngularVel(rigid));
@@ -22,7 +22,7 @@ void startTurning(dBodyID rigid, const Eigen::Matrix3d& inertia, Turning& turnin
 }
 
 void finishTurning(dBodyID rigid, Turning& turning) {
-  // in the frame at the start of the step the new velocity is the same: the body has turned about it
+  // the new angular velocity is the same in the frame at the start of the step: the body has turned about it
   turning.change = axesOf(rigid).transpose() * toVector(dBodyGetAngularVel(rigid)) - turning.before;
   dBodySetGyroscopicMode(rigid, 1);
 }
@@ -76,7 +76,7 @@ void finishHanging(Body& robot) {
 
 bool areHingesKept(Body& robot) {
   constexpr double kPrecision = 2e-6;  // m
-  constexpr double kMost = 1e-3;       // m: what is wider comes from blows
+  constexpr double kMost = 1e-3;       // m: wider gaps come from impacts
   if (robot.holding == nullptr || !robot.holding->hangs) {
     return true;
   }

@@ -69,7 +69,7 @@ void Islands::find(const std::vector<Body*>& bodies, const std::vector<Touch>& t
 }
 
 bool Islands::isLarge(const Island& island) {
-  constexpr int kMostJoints = 64;            // some eight pressed footbots
+  constexpr int kMostJoints = 64;            // some eight footbots pressed together
   constexpr int kMostJointsOfGripped = 256;  // larger, since the iterative solver makes grip forces rough
   if (island.bodies <= static_cast<int>(kMostNewtonBodies) && !island.has_links && !island.has_grips) {
     return false;
@@ -128,14 +128,14 @@ void Islands::joinBy(Body& body, dBodyID rigid) {
   const int count = dBodyGetNumJoints(rigid);
   for (int i = 0; i < count; ++i) {
     const dJointID joint = dBodyGetJoint(rigid, i);
-    // each joint between two bodies is met twice
+    // each joint between two bodies is visited twice
     islands_[rootOf(placeOf(body))].joints += dJointGetBody(joint, 0) == rigid ? 1 : 0;
     for (int side = 0; side < 2; ++side) {
       const dBodyID other_rigid = dJointGetBody(joint, side);
       if (other_rigid == rigid) {
         continue;
       }
-      if (other_rigid == nullptr) {  // it holds something fixed
+      if (other_rigid == nullptr) {  // it holds a fixed entity
         islands_[rootOf(placeOf(body))].has_grips = true;
         continue;
       }

@@ -1,4 +1,4 @@
-// Phase `move`: forces to poses.
+// Phase `move`: from commands and forces to poses.
 #include <algorithm>
 
 #include "dynamics3d/arms.hpp"
@@ -44,7 +44,7 @@ void Dynamics3d::move(Space& space, Duration dt) {
 
 namespace {
 
-/// Hanging by its magnet a flying robot saves its battery.
+/// Whether a flying robot hangs by its magnet, and need not fly, which saves its battery.
 bool hangsByMagnet(const Body& robot) {
   for (std::size_t i = 0; robot.holding != nullptr && i < robot.holding->grips.size(); ++i) {
     if (robot.holder(i).kind == EntityModel::Holder::Kind::kMagnet && robot.holding->grips[i].joint != nullptr) {
@@ -148,9 +148,9 @@ void Dynamics3d::noteRopes() {
 }
 
 void Dynamics3d::setDamping(bool is_damped) {
-  // Contacts carry what rests on them by being pressed together by parts of a micrometre, which takes some ten steps.
-  // What was just put down shall stand at once, since a grip that is closed meanwhile would be left with what is
-  // missing as a force: so at first contacts are as stiff as ever, but not damped.
+  // Contacts carry a load by a penetration of parts of a micrometre, which takes some ten steps to build up. Placed
+  // bodies must stand at once, since a grip that is closed meanwhile would keep the missing part as a force: so at
+  // first contacts are as stiff as ever, but not damped.
   dWorldSetERP(world_, is_damped ? kErrorReduction : 1.0);
   dWorldSetCFM(world_, is_damped ? kSoftness : kSoftness / kErrorReduction);
 }

@@ -6,7 +6,7 @@
 namespace swarmanoid::dynamics3d {
 namespace {
 
-/// Whether a fixed body may meet the box. Of walls aslant the boxes around them say little.
+/// Whether a fixed body may touch the box. Tests boxes at their poses, since bounds of oblique walls are too large.
 bool mayMeet(const Body& fixed, const Eigen::AlignedBox3d& box) {
   const Eigen::Vector3d centre = box.center();
   const double radius = 0.5 * box.diagonal().norm();
@@ -23,7 +23,7 @@ bool mayMeet(const Body& fixed, const Eigen::AlignedBox3d& box) {
   });
 }
 
-/// Whether the other body is fixed and out of the body's way.
+/// Whether the other body is fixed and out of the body's reach.
 bool passes(const Body& body, const Body& other) {
   return body.is_dynamic && other.rigid == nullptr && !mayMeet(other, body.steadiness.box);
 }
@@ -48,7 +48,7 @@ const std::vector<Body*>& Touches::findPairs(std::size_t bodies) {
     if ((a->is_dynamic || b->is_dynamic) && !areJoined(*a, *b) && !passes(*a, *b) && !passes(*b, *a)) {
       pairs_.emplace_back(std::min(a->rank, b->rank), std::max(a->rank, b->rank));
       for (Body* body : {a, b}) {
-        body->steadiness.time = 0.0;  // it may lean on what is taken away some day
+        body->steadiness.time = 0.0;  // the support may be removed later
         if (body->steadiness.is_left_out) {
           reached_.push_back(body);
         }

@@ -15,7 +15,7 @@ std::mutex& processMutex() {
   return mutex;
 }
 
-long solver_failures = 0;  // guarded by the process's mutex
+long solver_failures = 0;  // guarded by processMutex
 thread_local bool is_held = false;
 
 void takeMessage(int number, const char* text, va_list values) {
@@ -28,7 +28,7 @@ void takeMessage(int number, const char* text, va_list values) {
   std::fputc('\n', stderr);
 }
 
-/// ODE would end the process after these. What is thrown instead leaves a world that nobody may step again: the run
+/// ODE would end the process after these messages. After the exception, the world must not be stepped again: the run
 /// stops.
 [[noreturn]] void throwMessage(int number, const char* text, va_list values) {
   constexpr std::size_t kLongest = 500;
@@ -39,7 +39,7 @@ void takeMessage(int number, const char* text, va_list values) {
 
 /// @pre the process's mutex is held
 void startLibrary() {
-  // never closed: worlds of static lifetime may outlive anything that could close it
+  // never closed: worlds of static lifetime may outlive any owner of the library
   static const bool is_started = dInitODE2(0) != 0;
   dSetMessageHandler(&takeMessage);
   dSetErrorHandler(&throwMessage);
@@ -53,7 +53,7 @@ void startLibrary() {
 }  // namespace
 
 OdeLock::OdeLock(unsigned long& seed) : lock_(processMutex()), seed_(seed) {
-  startLibrary();  // throws before anything is said of who holds it
+  startLibrary();  // may throw, so it comes before is_held is set
   is_held = true;
   dRandSetSeed(seed_);
 }

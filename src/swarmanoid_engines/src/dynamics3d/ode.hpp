@@ -1,8 +1,8 @@
-/// The Open Dynamics Engine library, as this engine uses it: started once a process, used by one world at a time.
+/// The Open Dynamics Engine library in this engine: started once per process, used by one world at a time.
 ///
 /// ODE has state of the whole process (a random seed, default threading, counts of its users). Each caller holds an
-/// OdeLock, which excludes the other callers, puts the world's own random seed in, and takes it out again; so worlds of
-/// one process neither disturb each other nor depend on which came first. ODE makes no threads here.
+/// OdeLock, which excludes other callers, and sets the world's own random seed while it is held. So the worlds of one
+/// process neither disturb each other nor depend on their order. ODE makes no threads here.
 #pragma once
 
 #include <ode/ode.h>
@@ -25,7 +25,7 @@ class OdeLock {
   OdeLock(const OdeLock&) = delete;
   OdeLock& operator=(const OdeLock&) = delete;
 
-  /// Whether this thread holds one.
+  /// Whether this thread holds an OdeLock.
   static bool isHeld();
 
  private:
@@ -33,13 +33,13 @@ class OdeLock {
   unsigned long& seed_;
 };
 
-/// How often the exact solver has given up in this process, which ODE only prints. @pre an OdeLock is held
+/// Number of failures of the exact solver in this process, which ODE only prints. @pre an OdeLock is held
 long solverFailures();
 
 inline Eigen::Vector3d toVector(const dReal* v) { return {v[0], v[1], v[2]}; }
 inline Eigen::Quaterniond toQuaternion(const dReal* q) { return {q[0], q[1], q[2], q[3]}; }
 
-/// Of a point of a body, in W [m/s]. @param rigid null: what does not move @param point in W
+/// Velocity of a point of a body, in W [m/s]. @param rigid null: does not move @param point in W
 inline Eigen::Vector3d velocityAt(dBodyID rigid, const Eigen::Vector3d& point) {
   dVector3 velocity = {};
   if (rigid != nullptr) {
@@ -48,19 +48,19 @@ inline Eigen::Vector3d velocityAt(dBodyID rigid, const Eigen::Vector3d& point) {
   return toVector(velocity);
 }
 
-/// Of a body's centre of mass.
+/// Sets the pose of a body's centre of mass.
 inline void setBodyPose(dBodyID rigid, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
   const dQuaternion q = {orientation.w(), orientation.x(), orientation.y(), orientation.z()};
   dBodySetPosition(rigid, position.x(), position.y(), position.z());
   dBodySetQuaternion(rigid, q);
 }
-/// Of a solid without a body.
+/// Sets the pose of a solid without a body.
 inline void setGeomPose(dGeomID geom, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
   const dQuaternion q = {orientation.w(), orientation.x(), orientation.y(), orientation.z()};
   dGeomSetPosition(geom, position.x(), position.y(), position.z());
   dGeomSetQuaternion(geom, q);
 }
-/// Of a solid, against the centre of mass of its body.
+/// Sets the pose of a solid relative to the centre of mass of its body.
 inline void setGeomOffset(dGeomID geom, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
   const dQuaternion q = {orientation.w(), orientation.x(), orientation.y(), orientation.z()};
   dGeomSetOffsetPosition(geom, position.x(), position.y(), position.z());

@@ -1,4 +1,4 @@
-// The values that the experiment file gives to the engine.
+// Parameters of the engine from the experiment file.
 #include "common/parameter.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "swarmanoid_space/models/limits.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr Range kSubclockRange{1.0, 10000.0};
 constexpr Range kIterationsRange{1.0, 10000.0};
-constexpr Range kDragRange{0.0, 10.0, limits::kLeastFactor};  // beyond, steps of 10 ms would be too long for it
+constexpr Range kDragRange{0.0, 10.0, limits::kLeastFactor};  // a larger drag would need steps below 10 ms
 
 Settings readSettings(const Configuration& parameters) {
   const Settings fallback;

@@ -1,4 +1,4 @@
-/// A convex solid at its pose, from any source.
+/// A convex solid at its pose, from an ODE geom or a shape of a model.
 #pragma once
 
 #include "dynamics3d/ode.hpp"
@@ -12,7 +12,7 @@ struct PlacedSolid {
   explicit PlacedSolid(dGeomID geom);
   PlacedSolid(const CollisionShape& shape, const Pose& body);
 
-  /// The smallest box along W's axes around it.
+  /// The smallest box around it along W's axes.
   Eigen::AlignedBox3d bounds() const;
 
   CollisionShape::Kind kind = CollisionShape::Kind::kSphere;

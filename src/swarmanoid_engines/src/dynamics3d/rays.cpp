@@ -1,4 +1,4 @@
-// Rays against the shapes, where they were after the last tick.
+// Rays against the shapes at their poses after the last tick.
 #include "dynamics3d/dynamics3d.hpp"
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
@@ -39,7 +39,7 @@ void Dynamics3d::raycast(const RayBundle& rays, Span<RayHit> hits) const {
       }
       const double fraction = closestHit(segment, body->seen(), body->pose);
       RayHit& hit = hits[k];
-      // between surfaces at the same distance the older entity is hit, whatever the order of the look-up
+      // of surfaces at the same distance, the older entity is hit, whatever the order of the query
       const Body* rival = fraction == hit.fraction && hit.row != kNoRow ? find(hit.row) : nullptr;
       if (fraction < hit.fraction || (rival != nullptr && body->number < rival->number)) {
         hit = {fraction, body->row};

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kWindingForce = 60.0;  // N: of the motor that winds in, twice the weight of a climbing robot
+constexpr double kWindingForce = 60.0;  // N: of the winding motor, twice the weight of a climbing robot
 constexpr double kShortest = 0.02;      // m
 
 Vector3d anchorOf(const Rope& rope) {
@@ -18,7 +18,7 @@ Vector3d anchorOf(const Rope& rope) {
   return pose.toWorld(rope.anchor);
 }
 
-/// How fast a point of a body goes after a step if nothing but gravity acts on it.
+/// Velocity of a point of a body after a step in which only gravity acts on it.
 Vector3d speedAfter(dWorldID world, dBodyID rigid, const Vector3d& point, double step) {
   dVector3 gravity = {};
   if (rigid != nullptr && dBodyIsKinematic(rigid) == 0) {
@@ -67,10 +67,10 @@ dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, std::s
   const double distance = way.norm();
   rope.towards = way.normalized();
 
-  // It pulls along its direction at the start of the step, so much that its ends are its length apart at the end. A
-  // swing moves them across the rope meanwhile, which takes them apart; the speed that the last step left would pull
-  // too late. The correction is for the rest: the launcher's way about the centre of mass is an arc, and tension turns
-  // it.
+  // The rope pulls along its direction at the start of the step, so that its ends are its length apart at the end.
+  // Meanwhile a swing moves the ends across the rope, which takes them apart; a pull by the speed that the last step
+  // left would come too late. The correction covers the rest: the launcher moves along an arc about the centre of mass,
+  // which the tension turns.
   const Vector3d speed =
       speedAfter(world, robot.rigid, launcher, step) - speedAfter(world, rope.held->rigid, anchor, step);
   const double across = step * (speed - rope.towards.dot(speed) * rope.towards).norm();

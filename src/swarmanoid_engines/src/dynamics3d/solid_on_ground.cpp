@@ -1,4 +1,4 @@
-// Boxes and cylinders.
+// Ground contacts of boxes and cylinders.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ struct Face {
   double depthOf(const Vector3d& point) const { return distance - out.dot(point); }
 };
 
-/// The face through which `point` is nearest to leave the solid, of those that look against `ground`.
+/// Among the faces opposed to `ground`, the one through which `point` has the shortest way out of the solid.
 /// @param ground out of the ground, in the solid's frame
 Face faceOver(ShapeKind kind, const Vector3d& half, const Vector3d& point, const Vector3d& ground) {
   constexpr double kAgainst = 0.2;  // cosine

@@ -5,12 +5,12 @@
 namespace swarmanoid::dynamics3d {
 namespace {
 
-constexpr double kGroundClearance = 5e-3;  // m: how far shapes end above what the balls stand on
+constexpr double kGroundClearance = 5e-3;  // m: height of the ends of shapes above the surface under the balls
 
 void addSolid(Body& body, const Solid& solid, const Eigen::Vector3d& position, const Eigen::Quaterniond& turn) {
   body.solids.push_back(solid);
   if (body.rigid == nullptr) {
-    return;  // setPose puts it where it is
+    return;  // setPose sets its pose
   }
   const bool is_on_link = solid.joint >= 0 && !body.links.empty();
   const auto joint = static_cast<std::size_t>(is_on_link ? solid.joint : 0);
@@ -19,8 +19,8 @@ void addSolid(Body& body, const Solid& solid, const Eigen::Vector3d& position, c
   setGeomOffset(solid.geom, position - centre, turn);
 }
 
-/// Cuts off what would drag over the ground: upright shapes at their lower end, others (a lying wheel, the ball of a
-/// caster) all around.
+/// Cuts off the parts that would drag over the ground: of upright shapes the lower end; other shapes (a lying wheel,
+/// the ball of a caster) shrink on all sides.
 CollisionShape clearOfGround(CollisionShape shape) {
   const double reach = shape.reachAlong(Eigen::Vector3d::UnitZ());
   const double low = shape.position.z() - reach;

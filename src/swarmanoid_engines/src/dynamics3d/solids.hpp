@@ -1,6 +1,6 @@
-/// From a model's shapes to ODE's geoms.
+/// Makes ODE's geoms from a model's shapes.
 ///
-/// A robot with wheels stands on balls (balls.hpp) alone: shapes that reach down to the ground (outlines of treels,
+/// A robot with wheels stands only on balls (balls.hpp): shapes that reach down to the ground (outlines of treels,
 /// casters) end a little above it.
 #pragma once
 
@@ -16,8 +16,8 @@ dGeomID makeGeom(const CollisionShape& shape, double growth);
 /// Makes a body's solids, each grown by half of kMargin, in B; `rigid` carries them if there is one.
 void addSolids(Body& body);
 
-/// The shapes with which an entity stands on the ground when this engine moves it: of a driven robot those that end
-/// above the ground, and its balls.
+/// Shapes on which an entity stands when this engine moves it: for driven robots, the shapes that end above the ground,
+/// and the balls.
 std::vector<CollisionShape> shapesOnGround(const EntityModel& model);
 
 }  // namespace swarmanoid::dynamics3d

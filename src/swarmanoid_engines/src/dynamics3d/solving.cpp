@@ -56,7 +56,7 @@ bool Dynamics3d::solveExactly(double step) {
       return true;
     }
     counts_.redone += attempt == 0 ? 1 : 0;
-    // what is left then is a step in which some contacts hold nothing
+    // after a failure, some contacts have no force in the step
     restoreStates();
   }
   return false;

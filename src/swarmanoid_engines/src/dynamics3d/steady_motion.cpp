@@ -10,16 +10,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What remains of a change then moves a body by parts of a micrometre until it has died away: springs under robots
-// take 40 ms to a part of e.
+// After this time, the rest of a change moves a body by parts of a micrometre until it has died away: it decays by a
+// factor of e in 40 ms, by the springs under robots.
 constexpr double kSameTime = 0.1 - 1e-9;  // s
 constexpr double kSameSpeed = 1e-5;       // m/s2, along the ground
 constexpr double kSameTurn = 1e-4;        // rad/s2, about the vertical
 constexpr double kStillSpeed = 1e-6;      // m/s, up and down
-constexpr double kStillTurn = 2e-5;       // rad/s, of what tips
+constexpr double kStillTurn = 2e-5;       // rad/s, of tipping
 constexpr double kRounding = 1e-6;        // m
 
-/// Whether nothing but the ground acts on it.
+/// Whether only the ground acts on the body.
 bool isFree(const Body& body) {
   return body.links.empty() && body.holding == nullptr && !body.turret.isCommanded() &&
          !body.flight_command.is_driven && dBodyGetNumJoints(body.rigid) == 0;
@@ -56,8 +56,8 @@ Eigen::AlignedBox3d boxAroundWay(const Body& body, const Eigen::AlignedBox3d& bo
 void moveOn(Body& body, int steps, double step) {
   const Vector3d velocity = toVector(dBodyGetLinearVel(body.rigid));
   const double turn_rate = dBodyGetAngularVel(body.rigid)[2];
-  // ODE turns a body by this in a step, and moves it as fast as it is at the step's end: the sum of so many turned
-  // velocities is that of a geometric series
+  // in each step ODE turns a body by this angle, and moves it with its velocity at the step's end: the sum of the
+  // turned velocities is a geometric series
   const double turn = 2.0 * std::atan(0.5 * turn_rate * step);
   const double half_sine = std::sin(0.5 * turn);
   const double length = half_sine == 0.0 ? steps : std::sin(0.5 * steps * turn) / half_sine;

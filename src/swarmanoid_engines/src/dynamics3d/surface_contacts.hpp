@@ -1,4 +1,4 @@
-/// Places where a solid touches something, of which the best few become contacts. Frame W.
+/// Candidate contacts of a solid with a surface, of which the best few become contacts. Frame W.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,17 @@
 
 namespace swarmanoid::dynamics3d {
 
-/// Where a solid touches a surface, or nearly does.
+/// A point where a solid touches a surface, or nearly does.
 struct SurfaceContact {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< out of the surface
   double depth = 0.0;                                 ///< by which the solid is nearer than the margin [m]
 };
 
-/// As ODE has it. @param solid the one that touches @param surface null: ground that is not ODE's
+/// Converts to ODE's format. @param solid the one that touches @param surface null: ground that is not ODE's
 dContactGeom geometryOf(const SurfaceContact& contact, dGeomID solid, dGeomID surface);
 
-/// Those of one solid, each place once. Where there is no more room, the shallowest are left out.
+/// Candidate contacts of one solid, without duplicates. When full, the shallowest are dropped.
 class SurfaceContacts {
  public:
   void add(const SurfaceContact& contact);
@@ -27,7 +27,7 @@ class SurfaceContacts {
   const SurfaceContact& operator[](std::size_t i) const { return contacts_[i]; }
   const SurfaceContact* begin() const { return contacts_.data(); }
   const SurfaceContact* end() const { return contacts_.data() + count_; }
-  /// Keeps the deepest one, and of the others those that are farthest from each other.
+  /// Keeps the deepest contact, and of the others those farthest from each other.
   void keepSpread(std::size_t most);
 
  private:

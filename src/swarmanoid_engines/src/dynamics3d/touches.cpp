@@ -13,7 +13,7 @@ namespace swarmanoid::dynamics3d {
 namespace {
 
 constexpr int kMostFound = 16;  // contacts between two solids
-constexpr int kMostUsed = 4;    // of them, and of those with rough ground: three hold a surface on another
+constexpr int kMostUsed = 4;    // of them, and of those with rough ground: three suffice to hold a surface
 
 Eigen::AlignedBox3d boxAround(dGeomID geom) {
   dReal box[6];
@@ -31,7 +31,7 @@ bool areApart(dGeomID a, dGeomID b) {
 }
 
 /// Contacts of two solids of bodies. Boxes, and cylinders on flat faces or side by side, have tests of their own.
-/// @param found room for kMostFound @return their number
+/// @param found array of kMostFound @return number of contacts
 int findContacts(dGeomID a, dGeomID b, dContactGeom* found) {
   if (dGeomGetClass(a) == dBoxClass && dGeomGetClass(b) == dBoxClass) {
     return collideBoxes(a, b, found);
@@ -43,7 +43,7 @@ int findContacts(dGeomID a, dGeomID b, dContactGeom* found) {
   if (count == 0) {
     count = dCollide(a, b, kMostFound, found, sizeof(dContactGeom));
   }
-  // of poses of a box and a cylinder that overlap ODE misses 1.5 %
+  // ODE misses 1.5 % of the poses in which a box and a cylinder overlap
   const int kind_a = dGeomGetClass(a);
   const int kind_b = dGeomGetClass(b);
   const bool may_be_missed =
@@ -51,7 +51,7 @@ int findContacts(dGeomID a, dGeomID b, dContactGeom* found) {
   return count == 0 && may_be_missed ? collideConvex(a, b, found) : count;
 }
 
-/// Whether a hand or a magnet of `robot`, of which `solid` is part, holds the object.
+/// Whether a hand or a magnet of `robot` holds the object, and `solid` is part of it.
 bool isHeldWith(const Body& robot, const Solid& solid, const Body& object) {
   const auto holds = [&](const Grip& grip) { return grip.holds(object) && grip.holder == dGeomGetBody(solid.geom); };
   return robot.holding != nullptr && std::any_of(robot.holding->grips.begin(), robot.holding->grips.end(), holds);
@@ -147,7 +147,7 @@ void Touches::collidePair(Body& a, Body& b) {
           isHeldWith(b, solid_b, a)) {
         continue;
       }
-      // a body that drives, and one with a rigid body, comes first: ODE takes surface motion as that of its first body
+      // bodies that drive, or have a rigid body, come first: ODE takes surface motion as that of its first body
       const bool swaps = solid_b.kind != Solid::Kind::kPlain || (solid_a.kind == Solid::Kind::kPlain && !a.is_dynamic);
       if (swaps) {
         collideSolids(b, solid_b, &a, solid_a);
@@ -165,7 +165,7 @@ void Touches::collideSolids(Body& a, const Solid& solid_a, Body* b, const Solid&
   if (count == 0 && b == nullptr) {
     count = dCollide(solid_a.geom, solid_b.geom, kMostFound, found.data(), sizeof(dContactGeom));
   }
-  // of many, as around a cylinder's face, those that are spread evenly
+  // of many contacts, as around a cylinder's face, evenly spread ones
   const int used = std::min(count, kMostUsed);
   for (int i = 0; i < used; ++i) {
     touches_.push_back({&a, &solid_a, b, &solid_b, found[static_cast<std::size_t>(i * count / used)]});

@@ -6,11 +6,11 @@
 namespace swarmanoid::dynamics3d {
 namespace {
 
-// The balls that keep a robot from tipping, as springs.
+// Spring and damper of the balls that keep a robot from tipping.
 constexpr double kSupportStiffness = 1e5;  // N/m
 constexpr double kSupportDamping = 800.0;  // N s/m
 
-/// As commanded. @param side 0 left, 1 right
+/// Commanded rim speed [m/s]. @param side 0 left, 1 right
 double wantedSpeed(const Body& robot, int side) {
   const WheelsCommand& command = robot.wheels_command;
   return (side == 0 ? command.left : command.right) * robot.model->wheels->radius;
@@ -65,7 +65,7 @@ void driveContact(const Body& robot, const Solid& solid, const Settings& setting
     surface.soft_cfm = 1.0 / both;
   }
   ahead /= across;
-  // along the middle of the step's arc: its start would lead out of a curve
+  // along the middle of the step's arc: the direction at its start would lead out of a curve
   const double half_turn = 0.5 * step * normal.dot(toVector(dBodyGetAngularVel(robot.rigid)));
   ahead = (ahead + half_turn * normal.cross(ahead)).normalized();
   surface.mode |= dContactFDir1 | dContactMotion1;

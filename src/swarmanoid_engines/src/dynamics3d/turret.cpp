@@ -16,7 +16,7 @@ const EntityModel::Joint& jointOf(const Body& robot) {
   return robot.model->joints[static_cast<std::size_t>(robot.turret.joint)];
 }
 
-/// The hinge that holds what is gripped; null if nothing is held by one.
+/// The hinge of the gripped body; null if there is none.
 dJointID hingeOf(const Body& robot) {
   const dJointID joint = robot.grip.joint;
   return joint != nullptr && dJointGetType(joint) == dJointTypeHinge ? joint : nullptr;
@@ -36,12 +36,12 @@ void turnSolids(const Body& robot, double angle) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
   visitTurned(robot, [&](const Solid& solid, const CollisionShape& shape) {
     Eigen::Vector3d offset = turn * shape.position - robot.model->centre_of_mass;
-    offset.z() = dGeomGetOffsetPosition(solid.geom)[2];  // what was near the ground has been cut
+    offset.z() = dGeomGetOffsetPosition(solid.geom)[2];  // shapes near the ground have been cut
     setGeomOffset(solid.geom, offset, turn * shape.orientation);
   });
 }
 
-/// How deep the turned solids are in others [m].
+/// Depth of the turned solids in other bodies [m].
 double depthOf(const Body& robot, const Touches& touches) {
   double deepest = 0.0;
   visitTurned(robot, [&](const Solid& solid, const CollisionShape&) {
@@ -136,7 +136,7 @@ Eigen::Vector3d gripperTip(const Body& robot) {
 dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object) {
   SWARMANOID_EXPECTS(robot.turret.isCommanded());
   const Pose pose = robot.currentPose();
-  // angle and rate of ODE's hinges are those of the first body against the second
+  // ODE's hinges measure angle and rate of the first body relative to the second
   const Eigen::Vector3d down = pose.orientation * -Eigen::Vector3d::UnitZ();
   const dJointID hinge = dJointCreateHinge(world, nullptr);
   dJointAttach(hinge, robot.rigid, object.rigid);

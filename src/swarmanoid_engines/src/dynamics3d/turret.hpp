@@ -1,9 +1,8 @@
 /// The turret of a robot in three dimensions.
 ///
-/// What the gripper of a robot whose turret is commanded holds hangs on a hinge about body z through the robot's
-/// origin, which the turret's motor turns with no more than its torque: a load that is too heavy to turn turns the
-/// robot instead. While nothing is held the gripper's solids are turned as commanded, and stop before they would sink
-/// into something.
+/// If a robot's turret is commanded, the gripped body hangs on a hinge about body z through the robot's origin. The
+/// turret's motor turns the hinge with no more than its torque: a load that is too heavy to turn turns the robot
+/// instead. Without a load, the gripper's solids turn as commanded, and stop before they would penetrate a body.
 #pragma once
 
 #include <string>
@@ -21,33 +20,33 @@ class Touches;
 
 struct Turret {
   JointCommand command;  ///< of this tick
-  int joint = -1;        ///< of the model; -1: it has no turret, or that is a link
+  int joint = -1;        ///< of the model; -1: it has no turret, or the turret is a link
   JointState state;
   double angle_at_grip = 0.0;  ///< when the hinge was made [rad]
 
   bool isCommanded() const { return command.mode != JointCommand::Mode::kNone; }
 };
 
-/// Why the robot's gripper cannot be simulated with these devices; "" if it can, or is not used. A gripper turns with a
-/// turret alone: one on a link that is a body of its own would grip where the link is not.
+/// Reason why the robot's gripper cannot be simulated with these devices; "" if it can, or is not used. A gripper turns
+/// only with a turret: a gripper on a link with a rigid body of its own would grip where the link is not.
 std::string unsupportedGripperReason(const EntityModel& model, const std::vector<DeviceUse>& devices);
 
-/// Looks for the robot's turret, and for the command of its motor. If other joints are commanded too, the links of the
-/// robot are bodies of their own, and the turret is one of these (arms.hpp).
+/// Finds the robot's turret, and the command of its motor. If other joints are commanded too, the links of the robot
+/// are rigid bodies of their own, and the turret is one of these (arms.hpp).
 void findTurret(Body& body, const Space& space);
 
-/// The joint's state comes from the space, and the gripper's solids go where it says. @pre findTurret
+/// Copies the joint's state from the space, and turns the gripper's solids to its angle. @pre findTurret
 void takeTurret(Body& body, const Space& space);
 
 /// The gripper's tip in the frame B [m]. @pre it has a gripper
 Eigen::Vector3d gripperTip(const Body& robot);
 
-/// A hinge between a robot and what it grips, with the turret as its motor. @pre the turret is commanded
+/// A hinge between a robot and the body it grips, with the turret as its motor. @pre the turret is commanded
 dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object);
 
-/// Before a step [s]: sets the motor, or turns the gripper's solids.
+/// Call before a step [s]: sets the motor, or turns the gripper's solids.
 void driveTurret(Body& robot, const Touches& touches, double step);
-/// After it: what the hinge did.
+/// Call after a step: reads the state of the hinge.
 void readTurret(Body& robot);
 
 }  // namespace swarmanoid::dynamics3d

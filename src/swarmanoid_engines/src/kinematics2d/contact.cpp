@@ -1,4 +1,4 @@
-// Phase `move`: what a body does that would overlap another.
+// Phase `move`: response of a body that would overlap another.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,10 +10,10 @@
 namespace swarmanoid::kinematics2d {
 namespace {
 
-constexpr double kSkin = 1e-6;  // m, left between bodies where more than two contacts, or curved ones, meet
+constexpr double kSkin = 1e-6;  // m: gap left where more than two contacts, or curved ones, meet
 
-/// How far out of a contact, without going back into the one before it: along its surface, if the normals are against
-/// each other.
+/// Displacement out of a contact that does not lead back into the contact before: along the surface of that one if the
+/// normals oppose each other.
 Eigen::Vector2d wayOut(const planar::Penetration& contact, const std::optional<Eigen::Vector2d>& normal_before) {
   if (!normal_before || normal_before->dot(contact.normal) >= 0.0) {
     return contact.depth * contact.normal;
@@ -26,7 +26,7 @@ Eigen::Vector2d wayOut(const planar::Penetration& contact, const std::optional<E
 
 }  // namespace
 
-/// As far as it can, in a time in which it does not jump through anything.
+/// Moves the body as far as possible, in a time too short to tunnel through anything.
 void Kinematics2d::movePiece(BodyIndex index, double dt, const Block& block) {
   const Body& body = bodies_[index];
   const PlacedPose target = planar::integrate(body.pose, body.velocity, body.turn_rate, dt);
@@ -45,7 +45,8 @@ void Kinematics2d::movePiece(BodyIndex index, double dt, const Block& block) {
   turnPiece(index, body.turn_rate * dt, block);
 }
 
-/// The whole turn, or the largest of its halves, quarters and so on that it can make, slipping away if need be.
+/// Makes the whole turn, or the largest of its halves, quarters and so on that is possible, pushed out of overlaps if
+/// need be.
 void Kinematics2d::turnPiece(BodyIndex index, double turn, const Block& block) {
   constexpr int kParts = 5;
   const PlacedPose& pose = bodies_[index].pose;
@@ -58,8 +59,8 @@ void Kinematics2d::turnPiece(BodyIndex index, double turn, const Block& block) {
   }
 }
 
-/// Moves a target that is not free out of what it overlaps, one contact after the other. @return whether that has led
-/// to a free pose
+/// Pushes a blocked target pose out of its overlaps, one contact after the other. @return whether that has led to a
+/// free pose, which the body then has
 bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target, const Block& block) {
   constexpr int kPushes = 5;
   const double most = (target.position - bodies_[index].pose.position).norm() + kMostPush;
@@ -68,7 +69,7 @@ bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target, const
   for (int i = 0; i < kPushes; ++i) {
     planar::Penetration deepest = deepestContact(index, pose, block);
     if (deepest.depth <= planar::kContactTolerance) {
-      return false;  // something else than a contact is in the way
+      return false;  // something else than a contact blocks the body
     }
     constexpr int kExactPushes = 2;
     deepest.depth += i < kExactPushes ? 0.0 : kSkin;
@@ -84,21 +85,21 @@ bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target, const
   return false;
 }
 
-/// Of all that hinders a body, or what it grips, from being there; no depth: nothing does.
+/// Deepest contact of a body, or of the body it grips, at a pose; depth 0 if there is none.
 planar::Penetration Kinematics2d::deepestContact(BodyIndex index, const PlacedPose& pose, const Block& block) {
   Contact deepest;
   findDeeper(index, pose, block, deepest);
   const BodyIndex gripped = motion(index).gripped;
   const planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
   const bool is_trailing = turret != nullptr && turret->command.mode == JointCommand::Mode::kPassive;
-  if (gripped != kNoBody && !is_trailing) {  // what trails behind is not where the pose alone would put it
+  if (gripped != kNoBody && !is_trailing) {  // a trailing body is not where the pose alone would put it
     findDeeper(gripped, carriedPose(pose, motion(index).place_of_gripped), block, deepest);
   }
   return deepest.way_out;
 }
 
-/// What it holds, or is held by, is never in its way. Of contacts as deep as each other that with the older body
-/// counts, whatever the order of the look-up.
+/// Skips bodies connected by grips. Of equally deep contacts, the one with the older body counts, whatever the order of
+/// the query.
 void Kinematics2d::findDeeper(BodyIndex index, const PlacedPose& pose, const Block& block, Contact& deepest) {
   const Body& body = bodies_[index];
   const double radius = body.model->radius;

@@ -1,10 +1,10 @@
-// Phase `move`: bodies that cannot meet anybody in a step move without looking around, on all threads; and what comes
-// of a tick for the space.
+// Phase `move`: bodies that cannot meet others in a step move without a search for neighbours, on all threads. Also the
+// results of a tick for the space.
 //
-// The others move one by one, with them or after them (huddles.cpp), and come where they would have come had all moved
-// one after another by entity number: a body moves freely only if it has room for all that others may do in the step,
-// those that are pushed out of each other included, so it is in the way of no pose that any of them tries, be it before
-// or after its own move.
+// The other bodies move one by one, with these or after them (huddles.cpp), and reach the poses that they would reach
+// if all bodies moved one after another by entity number. Therefore a body moves freely only if it has room for all
+// that others may do in the step, pushes out of overlaps included: it then blocks no pose that any of them tries,
+// before or after its own move.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -81,7 +81,7 @@ void Kinematics2d::forBlocks(Work work) {
   }
 }
 
-/// @return the square of the speed of the fastest [m2/s2]
+/// @return square of the largest speed [m2/s2]
 double Kinematics2d::readAllCommands(const Space& space) {
   forBlocks([&](Block& block) {
     block.fastest_squared = 0.0;
@@ -105,8 +105,9 @@ double Kinematics2d::readAllCommands(const Space& space) {
 }
 
 void Kinematics2d::moveBlocks(Space& space, double step, double tick) {
-  // In each piece of its way, a body that is pushed out may try poses as far beyond its target as that was away, and
-  // kMostPush more (contact.cpp): all in all a stride and so many pushes beyond the stride that is counted already.
+  // In each piece of its way, a body that is pushed out may try poses beyond its target, by the length of the piece and
+  // kMostPush more (contact.cpp). In total that is a stride and most_pieces_ pushes beyond the stride that is counted
+  // already.
   const bool is_in_turn = least_block_ == 0;
   const double room =
       is_in_turn ? std::numeric_limits<double>::infinity() : travelled_ + stride_ + most_pieces_ * kMostPush;
@@ -114,8 +115,8 @@ void Kinematics2d::moveBlocks(Space& space, double step, double tick) {
   forBlocks([&](Block& block) { moveBlock(space, step, tick, room, block); });
   for (const Block& block : blocks_) {
     all_.detour = std::max(all_.detour, block.detour);
-    // others come into their cells later, when they move: the order within a cell depends on blocks, and nobody may
-    // rely on it
+    // other bodies change cells later, when they move: the order within a cell depends on blocks, so results must not
+    // depend on it
     for (std::size_t k = 0; k < block.stray_count; ++k) {
       bodies_.refreshCell(strays_[block.first + k]);
     }
@@ -153,7 +154,7 @@ void Kinematics2d::moveBlock(Space& space, double step, double tick, double room
   }
 }
 
-/// What has moved with its block for a whole tick is finished.
+/// Finishes the bodies of a tick. With one step a tick, bodies that moved with their block are finished already.
 void Kinematics2d::finishTick(Space& space, double tick) {
   const auto finish = [&](BodyIndex index) { finishBody(space, index, motion(index).pose_at_start, tick); };
   if (subclock_ == 1) {

@@ -1,4 +1,4 @@
-// Phase `connect`: robots grip preys and handbots, and let go of them.
+// Phase `connect`: robots grip preys and handbots, and release them.
 #include "common/grips.hpp"
 #include "kinematics2d/kinematics2d.hpp"
 #include "planar/gripper_reach.hpp"
@@ -32,13 +32,13 @@ BodyIndex Kinematics2d::findGrippable(BodyIndex gripper) const {
   });
 }
 
-/// Who is held goes where others take it, and takes nothing along.
+/// A body grips one object only. A gripped body moves with its gripper and grips nothing.
 bool Kinematics2d::mayGrip(BodyIndex index) const {
   return motion(index).gripped == kNoBody && motion(index).gripped_by == kNoBody;
 }
 
-/// One robot at a time holds a prey, any number a robot without a drive. None holds what goes by itself, or holds
-/// something.
+/// A prey has at most one gripper at a time, a robot without a drive any number. Driven bodies, and bodies that grip
+/// something, cannot be gripped.
 bool Kinematics2d::mayBeGripped(BodyIndex index) const {
   const Body& body = bodies_[index];
   if (motion(index).gripped != kNoBody) {

@@ -1,4 +1,4 @@
-// Phase `move`: what several robots hold goes the mean of their ways, and they go along.
+// Phase `move`: a body with several grippers moves by the mean of their ways, and the grippers go along.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace swarmanoid::kinematics2d {
 namespace {
 
-/// Where a gripper is, from where it has what it grips.
+/// Pose of a gripper, from the pose of the body it grips and the place of that body in the gripper's frame.
 PlacedPose gripperPose(const PlacedPose& gripped, const planar::PlanarPose& place) {
   const PlacedPose gripper = PlacedPose::at(gripped.position, wrapAngle(gripped.heading - place.heading));
   return PlacedPose::at(gripped.position - gripper.rotated(place.position), gripper.heading);
@@ -21,8 +21,8 @@ PlacedPose moved(const PlacedPose& start, const planar::PlanarPose& way, double 
 
 }  // namespace
 
-/// @return how fast anything of a group goes at most: the mean of the ways that its grippers would give to what they
-/// hold, and around that by the mean of their turns [m/s]
+/// @return upper bound on speeds in groups: the mean of the ways that the grippers would give the gripped body, and the
+/// swing around it by the mean of their turns [m/s]
 double Kinematics2d::fastestOfGroups() const {
   double speed = 0.0;
   double turn_rate = 0.0;
@@ -38,7 +38,7 @@ double Kinematics2d::fastestOfGroups() const {
   return speed + 2.0 * arm * turn_rate;
 }
 
-/// In pieces, as a body that moves alone, each as far as all have room.
+/// Moves a group in pieces, as a single body, each piece as far as all of the group have room.
 void Kinematics2d::moveGroup(BodyIndex gripped, double dt) {
   const planar::PlanarPose whole = wayOfGroup(gripped, dt);
   if (whole.position.isZero(0.0) && whole.heading == 0.0) {
@@ -50,7 +50,8 @@ void Kinematics2d::moveGroup(BodyIndex gripped, double dt) {
     smallest = std::min(smallest, bodies_[index].model->inner_radius);
     arm = std::max(arm, motion(index).place_of_gripped.position.norm());
   }
-  const double way_of_farthest = whole.position.norm() + arm * std::abs(whole.heading);  // they swing around it
+  const double way_of_farthest =
+      whole.position.norm() + arm * std::abs(whole.heading);  // grippers also swing around it
   const int pieces = std::max(1, static_cast<int>(std::ceil(way_of_farthest / (0.5 * smallest))));
   for (int i = 0; i < pieces; ++i) {
     const planar::PlanarPose way = wayOfGroup(gripped, dt / pieces);
@@ -63,7 +64,7 @@ void Kinematics2d::moveGroup(BodyIndex gripped, double dt) {
   }
 }
 
-/// The mean of where each gripper alone would take what they hold; `heading` is the turn.
+/// Mean of the ways that each gripper alone would give the gripped body; `heading` is the turn.
 planar::PlanarPose Kinematics2d::wayOfGroup(BodyIndex gripped, double dt) const {
   planar::PlanarPose sum;
   int count = 0;
@@ -78,7 +79,7 @@ planar::PlanarPose Kinematics2d::wayOfGroup(BodyIndex gripped, double dt) const 
   return {sum.position / count, sum.heading / count};
 }
 
-/// @return whether all of the group have room with what they hold in that pose; then they are there
+/// Moves a group to a pose of its gripped body, if all of the group have room there. @return whether it has moved
 bool Kinematics2d::tryGroup(BodyIndex gripped, const PlacedPose& pose) {
   Clearance unused;
   unused.look_ahead = 0.0;
@@ -93,7 +94,7 @@ bool Kinematics2d::tryGroup(BodyIndex gripped, const PlacedPose& pose) {
   bodies_.setPose(gripped, pose);
   for (BodyIndex index = motion(gripped).gripped_by; index != kNoBody; index = motion(index).next_gripper) {
     bodies_.setPose(index, gripperPose(pose, motion(index).place_of_gripped));
-    clearance(index).free_until = -1.0;  // as where one carries alone
+    clearance(index).free_until = -1.0;  // as for a single gripper
   }
   return true;
 }

@@ -1,18 +1,18 @@
-// Phase `move`: who has room to move freely in a step; and who may meet whom, of those that have not.
+// Phase `move`: which bodies have room to move freely in a step, and which of the others may meet (huddles).
 //
-// A huddle that lies in one block moves with it, one after another by entity number, while other threads move other
-// blocks: nobody else comes near it in the step, so all of it come where they would have come had all moved one after
-// another. While blocks move, a thread reads no pose of what moves in another one.
+// A huddle that lies in one block moves with it, one body after another by entity number, while other threads move
+// other blocks. No other body comes near it in the step, so its bodies reach the poses that they would reach if all
+// bodies moved one after another. While blocks move, a thread does not read poses of bodies that move in another block.
 #include "kinematics2d/kinematics2d.hpp"
 
 namespace swarmanoid::kinematics2d {
 
-/// Those whose clearance holds no longer look around, before anybody moves: most find that they have room. The others
-/// are in huddles; not so where all are one block, which nobody else moves beside: then all huddles are open, and who
-/// had somebody near when it last looked does so only when it moves.
+/// Bodies with an expired clearance search for neighbours before the step; most turn out to be free. The others form
+/// huddles. With a single block no other thread runs, so all huddles stay open, and bodies with a near neighbour in
+/// their last search do not search again until they move.
 void Kinematics2d::findRoom(double room, const Block& block) {
   const bool is_only = blocks_.size() == 1;
-  const double most_detour = room - travelled_;  // of a body in a step
+  const double most_detour = room - travelled_;  // of any body in a step
   const double look_for_room = is_only ? lookAheadFor(2.0 * (stride_ + most_detour)) : 0.0;
   huddles_.part(block.first, block.last, is_only);
   for (std::size_t k = block.first; k < block.last; ++k) {
@@ -23,7 +23,7 @@ void Kinematics2d::findRoom(double room, const Block& block) {
   }
 }
 
-/// @param detour of a body in a step, at most [m]
+/// @param detour upper bound for any body in a step [m]
 void Kinematics2d::lookAround(std::size_t k, double detour, const Block& block) {
   const BodyIndex index = movers_[k];
   const Body& body = bodies_[index];
@@ -35,7 +35,7 @@ void Kinematics2d::lookAround(std::size_t k, double detour, const Block& block) 
   around.at_all_heights = true;
   Neighbours& near = neighbours(index);
   near.meeting = 0;
-  const double meeting = 2.0 * (stride_ + detour);  // from so far away two may meet, m
+  const double meeting = 2.0 * (stride_ + detour);  // m: only bodies this near can meet in the step
   double nearest = near.gapToOthers(travelled_) + 2.0 * stride_;
   for (std::size_t i = 0; i < near.count; ++i) {
     const BodyIndex other = near.bodies[i];
@@ -53,14 +53,14 @@ void Kinematics2d::lookAround(std::size_t k, double detour, const Block& block) 
       joinHuddle(k, other, block);
     }
   }
-  // both sides have this step's stride still before them, and later come nearer by what is travelled
+  // both sides still have this step's stride ahead, and later approach by the distance travelled
   around.free_until = freeUntil(nearest - 2.0 * stride_, all_);
   around.look_ahead = lookAheadFor(nearest);
 }
 
-/// Lists anew who is near where a list would not last for the step. @return whether it lasts now
+/// Renews the list of neighbours if it would not last for the step. @return whether it lasts now
 bool Kinematics2d::knowsWhoIsNear(BodyIndex index, double detour) {
-  const double farthest = stride_ + detour;  // that a body comes
+  const double farthest = stride_ + detour;  // way of a body in the step, at most
   const auto lasts = [&](const Neighbours& near) {
     return near.gapToOthers(travelled_) > 2.0 * farthest &&
            near.gapToOthers(travelled_ + detour) - farthest > near.leastGap();
@@ -73,10 +73,11 @@ bool Kinematics2d::knowsWhoIsNear(BodyIndex index, double detour) {
   return lasts(near);
 }
 
-/// @param k one of the block @param other a body that it may meet; or that stands where it is, and joins nothing
+/// @param k position of a body of the block @param other a body that it may meet; if `other` does not move, nothing is
+/// joined
 void Kinematics2d::joinHuddle(std::size_t k, BodyIndex other, const Block& block) {
   const std::int32_t at = place(other);
-  if (isOfOtherBlock(other, block) || isHeldOrHolds(other)) {  // what is held may be by somebody of another block
+  if (isOfOtherBlock(other, block) || isHeldOrHolds(other)) {  // a gripped body may move with another block
     huddles_.open(k);
   } else if (at != kNoPlace) {
     huddles_.join(k, static_cast<std::size_t>(at));

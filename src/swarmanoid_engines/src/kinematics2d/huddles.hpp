@@ -1,7 +1,8 @@
-/// Who may meet whom in a step, of the bodies that do not move freely: those that may are in one huddle.
+/// Huddles: islands of bodies that may meet in a step, among those that do not move freely.
 ///
-/// Bodies are numbered as they are in a list of all that move, which blocks are stretches of. A huddle lies within a
-/// block, or else is open: somebody outside may meet one of it. Threads: each may work on a block of its own.
+/// Bodies are numbered by their position in the list of all moving bodies; blocks are ranges of it. A huddle lies
+/// within a block, or it is open: bodies outside the block may meet one of its bodies. Threads: each may work on a
+/// block of its own.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@ class Huddles {
     is_open_.resize(count);
   }
 
-  /// Each of a stretch is alone.
+  /// Makes each body of a range a huddle of its own.
   void part(std::size_t first, std::size_t last, bool are_open) {
     for (std::size_t k = first; k < last; ++k) {
       first_[k] = static_cast<std::uint32_t>(k);
@@ -33,7 +34,7 @@ class Huddles {
   bool isOpen(std::size_t k) { return is_open_[firstOf(k)] != 0; }
 
  private:
-  /// The one that stands for a huddle. Ways to it get shorter each time.
+  /// Root of the body's huddle (union-find). Each call shortens the paths.
   std::size_t firstOf(std::size_t k) {
     while (first_[k] != k) {
       first_[k] = first_[first_[k]];
@@ -42,8 +43,8 @@ class Huddles {
     return k;
   }
 
-  std::vector<std::uint32_t> first_;  // of the same huddle, nearer to the one that stands for it; itself if that is it
-  std::vector<char> is_open_;         // of those that stand for a huddle
+  std::vector<std::uint32_t> first_;  // parent in the union-find forest; a root is its own parent
+  std::vector<char> is_open_;         // valid for roots
 };
 
 }  // namespace swarmanoid::kinematics2d

@@ -1,5 +1,4 @@
-// What changes in the engine between ticks, and the rays that are not cast because the space around them is known to be
-// free.
+// Changes of the engine between ticks, and rays that need no cast because the space around them is known to be free.
 #include "kinematics2d/kinematics2d.hpp"
 
 #include <algorithm>
@@ -35,7 +34,7 @@ void Kinematics2d::remove(Space&, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   bodies_.remove(index);
-  is_somebody_new_ = true;  // lists of neighbours name who is gone
+  is_somebody_new_ = true;  // lists of neighbours contain the removed body
   are_lists_old_ = true;
 }
 
@@ -84,18 +83,18 @@ void Kinematics2d::draw(EngineDrawing& drawing) const {
   }
 }
 
-/// The robot that casts rays around itself, if what was found while moving it still holds; else none.
+/// The robot that casts rays around itself, if the neighbours found while moving it are still valid; else kNoBody.
 BodyIndex Kinematics2d::casterOf(const RayBundle& rays) const {
   return rays.ignored == kNoRow || is_somebody_new_ ? kNoBody : bodies_.find(rays.ignored);
 }
 
-/// How far rays go out of the circle around a body, at most [m].
+/// Upper bound on the reach of rays beyond the circle around a body [m].
 double Kinematics2d::reachBeyond(BodyIndex index, const RayBundle& rays) const {
   const planar::Bodies::Circle& body = bodies_.circle(index);
   return (bodies_.plane().toLocal(rays.centre) - body.centre).norm() + rays.radius - body.radius;
 }
 
-/// Whether the clearance of a body keeps all others, at any height, farther away than that [m].
+/// Whether the clearance of a body keeps all others, at any height, farther away than `distance` [m].
 bool Kinematics2d::isClear(BodyIndex index, double distance) const {
   const Clearance& around = clearance(index);
   return around.at_all_heights && 2.0 * (around.free_until - travelled_) > distance;

@@ -1,28 +1,28 @@
-/// The two-dimensional kinematic engine (thesis 3.5.1): bodies in a plane go where their velocities take them.
+/// The two-dimensional kinematic engine (thesis 3.5.1): bodies in a plane follow their velocities.
 ///
 /// There are no masses and no forces. Bodies move one after another, in the order of their entity numbers, so results
-/// do not depend on anything else; those that cannot meet in a step do so at once, on all threads, which comes to the
-/// same. A body that would overlap another advances to contact and slides along it: its new
-/// pose is pushed out of what it overlaps by the shortest way, so that a robot with its nose at a wall can turn, and
-/// slips back by as much as its nose needs. Where there is no room for that, it goes as much of its way, and then makes
-/// as much of its turn, as is free. Nothing overlaps after a tick. A mirror (an entity that another engine moves) may
-/// come to overlap a body through no doing of this engine; such a pair hinders a body only from going deeper. Where
-/// others are near, a body moves in pieces of half its inner radius, so nothing fast jumps through a thin wall.
+/// do not depend on anything else. Bodies that cannot meet in a step move at once, on all threads, with the same
+/// results. A body that would overlap another advances to contact and slides along it: its new pose is pushed out of
+/// the overlap by the shortest way. So a robot with its nose at a wall can turn, and slips back by as much as its nose
+/// needs. Without room for that, the body goes the free part of its way, then makes the free part of its turn. Nothing
+/// overlaps after a tick, with one exception: a mirror (an entity that another engine moves) may come to overlap a
+/// body; such a pair hinders the body only from going deeper. With neighbours near, a body moves in pieces of half its
+/// inner radius, so fast bodies do not tunnel through thin walls.
 ///
-/// Wheels are integrated exactly along the arc. What would lead out of the plane is dropped: an eyebot flies the part
-/// of its velocity that lies in the plane. A footbot can grip a prey, or a robot without a drive, such as a handbot,
-/// not another footbot, nor what flies. There are no chains: who is gripped grips nothing, and who grips is not
-/// gripped. A prey is gripped by one footbot at a time, a handbot by any number; both keep their place in the gripper
-/// to the last digits. What several hold goes the mean of the ways, and makes the mean of the turns, that each of them
-/// alone would give it; they go along, all of them as far as all have room.
+/// Wheels are integrated exactly along the arc. Velocity out of the plane is dropped: an eyebot flies with the part of
+/// its velocity that lies in the plane. A footbot can grip a prey, or a robot without a drive, such as a handbot, but
+/// neither another footbot nor a flying robot. Grips form no chains: a gripped body grips nothing, and a gripping body
+/// cannot be gripped. A prey has at most one gripper at a time, a handbot any number; both keep their place in the
+/// gripper to the last digits. A body with several grippers moves by the mean of the ways, and turns by the mean of the
+/// turns, that each of them alone would give it; the grippers go along, as far as all of them have room.
 ///
-/// Turrets turn after all bodies have moved, at the commanded speed; what the gripper holds turns with them
-/// around the robot, unless others hold it too: then the turret stands. One that would overlap another with its gripper
-/// or with what that holds turns as far as is free. What a passive one holds trails behind the robot like a trailer:
-/// its centre is never moved to the side.
+/// Turrets turn after all bodies have moved, at the commanded speed, and the gripped body turns with its turret around
+/// the robot. A turret stands if its gripped body has other grippers too. A turret turns only as far as its gripper and
+/// the gripped body are free of overlap. A body held by a passive turret trails behind the robot like a trailer: its
+/// centre never moves sideways.
 ///
-/// Rays hit bodies as prisms over their planar shapes. A mirror of what another engine moves is not hit: that engine
-/// answers for it.
+/// Rays hit bodies as prisms over their planar shapes. Rays do not hit mirrors of entities that another engine moves:
+/// that engine reports those hits.
 #pragma once
 
 #include <algorithm>
@@ -42,27 +42,26 @@ using planar::BodyIndex;
 using planar::kNoBody;
 using planar::PlacedPose;
 
-constexpr double kMostPush = 0.005;  ///< of a body out of what it overlaps, beyond the way of its step [m]: a nose that
-                                     ///< turns at a wall needs less
+constexpr double kMostPush = 0.005;  ///< limit of the push out of an overlap, beyond the way of the step [m]; a nose
+                                     ///< that turns at a wall needs less
 
-/// How long a body need not look around, since all were so far away when it last did. Distances are those by which any
-/// body can have moved since the engine began, as Kinematics2d counts them.
+/// How long a body need not search for neighbours, since all were far away in its last search. Distances are counted as
+/// the motion that any body can have made since the engine began, see Kinematics2d::travelled_.
 struct Clearance {
-  double free_until = -1.0;            ///< up to this distance nothing can have come near
-  double look_ahead = kMostLookAhead;  ///< how far the next look goes [m]
-  bool at_all_heights = false;         ///< also nothing above or below
+  double free_until = -1.0;            ///< up to this distance travelled no other body can have come near
+  double look_ahead = kMostLookAhead;  ///< range of the next search [m]
+  bool at_all_heights = false;         ///< true if no body is near at other heights either
 };
 
-/// The state of a body in this engine, beside its pose and its clearance. Of those that move without looking around
-/// it is not read.
+/// State of a body in this engine, besides its pose and its clearance. Not read for bodies that move without a search.
 struct Motion {
   planar::PlanarPose pose_at_start;  ///< of the tick
 
-  // Gripping: a gripped body goes where its gripper goes. Who grips has no clearance.
+  // Grips: a gripped body moves with its gripper. Gripping bodies have no clearance.
   BodyIndex gripped = kNoBody;
   BodyIndex gripped_by = kNoBody;       ///< the first of its grippers, by entity number
-  BodyIndex next_gripper = kNoBody;     ///< that grips the same, by entity number
-  planar::PlanarPose place_of_gripped;  ///< in this gripper's frame, from the moment of gripping
+  BodyIndex next_gripper = kNoBody;     ///< next gripper of the same body, by entity number
+  planar::PlanarPose place_of_gripped;  ///< of the gripped body in this gripper's frame, from the moment of gripping
 };
 
 class Kinematics2d final : public planar::PlanarEngine {
@@ -85,8 +84,8 @@ class Kinematics2d final : public planar::PlanarEngine {
     workers_ = &workers;
     are_lists_old_ = true;
   }
-  /// How many bodies a thread moves at least, if there are several; 0: all move one after another. Results do not
-  /// depend on it.
+  /// Smallest number of bodies that a thread moves, if there are several threads; 0: all bodies move one after another.
+  /// Results do not depend on it.
   void setLeastBlock(std::size_t size) {
     least_block_ = size;
     are_lists_old_ = true;
@@ -100,18 +99,18 @@ class Kinematics2d final : public planar::PlanarEngine {
   void draw(EngineDrawing& drawing) const override;
 
  private:
-  /// A stretch of movers_, which one thread looks at, and moves, in a step.
+  /// A range of movers_ that one thread handles in a step.
   struct Block {
     std::size_t first = 0;         ///< in movers_
-    std::size_t last = 0;          ///< one more than the last
-    std::size_t other_count = 0;   ///< of others_, from `first` on: they move once all blocks have
-    std::size_t stray_count = 0;   ///< of strays_, from `first` on: they have come into other cells
-    double fastest_squared = 0.0;  ///< [m2/s2]
-    double detour = 0.0;           ///< beyond the stride, by who was pushed out in this step, at most [m]
+    std::size_t last = 0;          ///< one past the last
+    std::size_t other_count = 0;   ///< number in others_, from `first` on: bodies that move after all blocks
+    std::size_t stray_count = 0;   ///< number in strays_, from `first` on: bodies that have changed their cell
+    double fastest_squared = 0.0;  ///< of the fastest body [m2/s2]
+    double detour = 0.0;           ///< largest way of a body beyond the stride, by pushes in this step [m]
   };
   struct Contact {
     planar::Penetration way_out;
-    EntityNumber with = kNoEntity;  ///< the other one
+    EntityNumber with = kNoEntity;  ///< the other body
   };
   static constexpr std::int32_t kNoPlace = -1;
 
@@ -121,18 +120,19 @@ class Kinematics2d final : public planar::PlanarEngine {
   template <class Work>
   void forBlocks(Work work);
   double readAllCommands(const Space& space);
-  /// Who grips has no clearance. @param room what a clearance must hold for who moves freely [m]
+  /// Whether a body moves freely, or not at all. Gripping bodies have no clearance. @param room `free_until` that free
+  /// motion needs [m]
   bool hasRoomOrStands(BodyIndex index, double room) const {
     return clearance(index).free_until >= room ||
            (bodies_[index].isCommandedToStand() && motion(index).gripped == kNoBody);
   }
-  /// Who may move with its block: who has no drive may be carried, and cells do not hold what is large.
+  /// Whether a body may move with its block: undriven bodies may be carried, and the grid does not hold large ones.
   static bool movesByItself(const Body& body) { return body.isDriven() && !body.is_large; }
   void moveBlocks(Space& space, double step, double tick);
   void moveBlock(Space& space, double step, double tick, double room, Block& block);
   void finishTick(Space& space, double tick);
   void finishBody(Space& space, BodyIndex index, const planar::PlanarPose& before, double tick) const;
-  /// Calls visit(index) for those who did not move with their block in this step, by entity number.
+  /// Calls visit(index) for the bodies that did not move with their block in this step, by entity number.
   template <class Visit>
   void visitOthers(Visit visit) const {
     for (const Block& block : blocks_) {
@@ -150,20 +150,20 @@ class Kinematics2d final : public planar::PlanarEngine {
   bool isHeldOrHolds(BodyIndex index) const {
     return motion(index).gripped != kNoBody || motion(index).gripped_by != kNoBody;
   }
-  /// In movers_.
+  /// Position of a body in movers_, or kNoPlace.
   std::int32_t place(BodyIndex index) const { return places_[static_cast<std::size_t>(index)]; }
-  /// Whether a body moves while another block does.
+  /// Whether a body moves with another block than `block`.
   bool isOfOtherBlock(BodyIndex index, const Block& block) const {
     const std::int32_t at = place(index);
     return at != kNoPlace && (static_cast<std::size_t>(at) < block.first || static_cast<std::size_t>(at) >= block.last);
   }
 
-  // motion.cpp. Parameters `block`: that of the body, while all blocks move at once; all_, while nobody else moves.
+  // motion.cpp. Parameters `block`: the block of the body while all blocks move at once; all_ when no other body moves.
   void startTick(const Space& space, double step);
   void moveBody(BodyIndex index, double dt, Block& block);
   int piecesOf(const Body& body, double dt) const;
-  /// Where a body comes if nobody is in its way: to the last bit the same whether it looks around, in pieces, or not,
-  /// for that depends on the number of threads.
+  /// Pose of an unobstructed body after a step. Equal to the last bit whether or not the body searches for neighbours
+  /// and moves in pieces, because that depends on the number of threads.
   PlacedPose unhindered(const Body& body, double dt) const {
     return most_pieces_ == 1.0 ? planar::integrate(body.pose, body.velocity, body.turn_rate, dt)
                                : unhinderedInPieces(body, dt);
@@ -176,8 +176,9 @@ class Kinematics2d final : public planar::PlanarEngine {
   static PlacedPose carriedPose(const PlacedPose& gripper, const planar::PlanarPose& place);
   bool isFree(BodyIndex index, const PlacedPose& pose, Clearance& around, const Block& block);
   const Neighbours* neighboursAt(BodyIndex index, const Eigen::Vector2d& position, const Block& block);
-  /// Calls visit(other) for those that may be so near to a position, until it returns false; while blocks move, for
-  /// those that the body may meet. @param near of a body there; null: there is no list
+  /// Calls visit(other) for bodies that may be within `distance` of a position, until it returns false; while blocks
+  /// move, only for those that the body may meet in the step. @param near neighbours of a body there; null: there is no
+  /// list
   template <class Visit>
   void visitNear(const Neighbours* near, const Eigen::Vector2d& position, double distance, const Block& block,
                  Visit visit) const {
@@ -191,18 +192,18 @@ class Kinematics2d final : public planar::PlanarEngine {
     }
   }
   bool areAllInOne(const Block& block) const { return &block == &all_; }
-  /// Up to the end of the step under way, as far as is known while blocks move [m].
+  /// Bound on motion up to the end of the current step, as far as is known while blocks move [m].
   double travelled(const Block& block) const { return travelled_ + block.detour; }
-  /// Up to what distance travelled others leave so wide a gap, into which both sides go [m].
+  /// Distance travelled up to which a gap to others cannot close, with both sides moving into it [m].
   double freeUntil(double gap, const Block& block) const {
     constexpr double kMargin = 1e-6;  // m, for rounding
     return travelled(block) + 0.5 * (gap - kMargin);
   }
-  /// How far to look the next time, if somebody is that near [m].
+  /// Range of the next search if the nearest body is that far away [m].
   double lookAheadFor(double nearest) const {
     return std::min(kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
   }
-  /// A mirror that moves may change its height before the body comes.
+  /// False for mirrors that may move: their height may change before the body arrives.
   static bool isAtOtherHeights(const Body& body, const Body& other) {
     const bool keeps_height = other.role == Role::kMove || !other.is_movable;
     return keeps_height && !body.model->band.overlaps(other.model->band, body.along, other.along);
@@ -251,13 +252,13 @@ class Kinematics2d final : public planar::PlanarEngine {
   void release(Space& space, BodyIndex gripper);
   void letGo(BodyIndex gripper);
   void forgetGrips(BodyIndex index);
-  /// What a body grips, or else itself.
+  /// The body that a body grips, or else itself.
   BodyIndex objectOf(BodyIndex index) const {
     const BodyIndex gripped = motion(index).gripped;
     return gripped == kNoBody ? index : gripped;
   }
   bool areConnected(BodyIndex a, BodyIndex b) const { return objectOf(a) == objectOf(b); }
-  /// Whether a body grips what others grip too.
+  /// Whether a body grips an object that has other grippers too.
   bool isInGroup(BodyIndex gripper) const {
     const BodyIndex gripped = motion(gripper).gripped;
     return gripped != kNoBody && motion(motion(gripped).gripped_by).next_gripper != kNoBody;
@@ -265,31 +266,31 @@ class Kinematics2d final : public planar::PlanarEngine {
 
   const Parallel* workers_ = nullptr;   // null: there is one thread
   std::vector<Motion> motions_;         // by body
-  std::vector<Clearance> clearances_;   // by body, apart because all of them are read in every step
+  std::vector<Clearance> clearances_;   // by body; apart because every step reads all of them
   std::vector<Neighbours> neighbours_;  // by body
 
-  // Bodies by what is to be done with them in a tick, by entity number.
+  // Bodies by their handling in a tick; each list by entity number.
   bool are_lists_old_ = true;
-  std::vector<BodyIndex> movers_;       // drive, or grip: these may take along others, or be taken
-  std::vector<BodyIndex> idle_;         // may be moved by others
-  std::vector<BodyIndex> mirrors_;      // that may move
-  std::vector<BodyIndex> grippers_;     // with grippers that are commanded, or that hold something
-  double smallest_inner_radius_ = 0.0;  // of those that are driven [m]
+  std::vector<BodyIndex> movers_;       // driven or gripping; they may carry others, or be carried
+  std::vector<BodyIndex> idle_;         // undriven; others may move them
+  std::vector<BodyIndex> mirrors_;      // mirrors that may move
+  std::vector<BodyIndex> grippers_;     // with a commanded gripper, or holding something
+  double smallest_inner_radius_ = 0.0;  // of driven bodies [m]
 
   std::size_t least_block_ = 1024;    // some 100 microseconds of work
   std::vector<Block> blocks_;         // of movers_
-  Block all_;                         // that they move in once all blocks have moved
+  Block all_;                         // for bodies that move after all blocks
   std::vector<BodyIndex> others_;     // see Block
   std::vector<BodyIndex> strays_;     // see Block
-  std::vector<std::int32_t> places_;  // by body: in movers_
+  std::vector<std::int32_t> places_;  // by body: position in movers_
   Huddles huddles_;                   // of movers_, in the step under way
 
-  // Bounds on how far any body moves: most bodies then need not look around in most steps (see Clearance).
-  double mirrors_moved_ = 0.0;    // by at most, before this tick [m]
+  // Bounds on the motion of any body. With them most bodies need no search in most steps (see Clearance).
+  double mirrors_moved_ = 0.0;    // by mirrors, before this tick [m]
   double stride_ = 0.0;           // in one step of this tick [m]
-  double most_pieces_ = 1.0;      // that any way of such a step is gone in
-  double travelled_ = 0.0;        // up to the end of the step under way, but for detours in it [m]
-  bool is_somebody_new_ = false;  // clearances hold no longer: a body came, or was put elsewhere
+  double most_pieces_ = 1.0;      // largest number of pieces of such a way
+  double travelled_ = 0.0;        // up to the end of the current step, without detours in it [m]
+  bool is_somebody_new_ = false;  // clearances are invalid: a body was added, removed or placed
 };
 
 }  // namespace swarmanoid::kinematics2d

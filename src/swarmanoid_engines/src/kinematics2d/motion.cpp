@@ -1,4 +1,4 @@
-// Phase `move`: velocities to poses, and no pose that overlaps.
+// Phase `move`: integrates velocities to poses without overlap.
 #include <algorithm>
 #include <cmath>
 
@@ -59,7 +59,7 @@ void Kinematics2d::startTick(const Space& space, double step) {
   for (const BodyIndex index : grippers_) {
     const Body& body = bodies_[index];
     if (motion(index).gripped != kNoBody && body.isDriven()) {
-      // what is gripped swings around its gripper
+      // a gripped body swings around its gripper
       is_anything_gripped = true;
       const double arm = motion(index).place_of_gripped.position.norm();
       const double speed = body.velocity.norm() + arm * std::abs(body.turn_rate);
@@ -71,7 +71,7 @@ void Kinematics2d::startTick(const Space& space, double step) {
   stride_ = std::sqrt(fastest_squared) * step;
   most_pieces_ = std::max(1.0, std::ceil(stride_ / (0.5 * smallest_inner_radius_)));
   travelled_ += mirrors_moved_;
-  constexpr double kMostTravelled = 1e6;  // m: beyond, sums would be rounded too much
+  constexpr double kMostTravelled = 1e6;  // m: beyond it, sums would lose too many digits
   if (is_somebody_new_ || !(travelled_ < kMostTravelled)) {
     std::fill(clearances_.begin(), clearances_.end(), Clearance{});
     std::fill(neighbours_.begin(), neighbours_.end(), Neighbours{});
@@ -80,7 +80,8 @@ void Kinematics2d::startTick(const Space& space, double step) {
   }
 }
 
-/// In how many pieces a body that looks around goes its way of a step: it jumps through nothing thin.
+/// Number of pieces in a step of a body that searches for neighbours: short enough that it does not tunnel through thin
+/// bodies.
 int Kinematics2d::piecesOf(const Body& body, double dt) const {
   const double longest = 0.5 * body.model->inner_radius;
   return most_pieces_ == 1.0 ? 1 : std::max(1, static_cast<int>(std::ceil(body.velocity.norm() * dt / longest)));
@@ -105,12 +106,12 @@ void Kinematics2d::moveBody(BodyIndex index, double dt, Block& block) {
   for (int i = 0; i < pieces; ++i) {
     movePiece(index, dt / pieces, block);
   }
-  // what it grips swings besides, which is in the stride as well
+  // the stride also covers the swing of a gripped body, which adds to the gripper's own way
   const double due = motion(index).gripped == kNoBody ? stride_ : body.velocity.norm() * dt;
   block.detour = std::max(block.detour, (body.pose.position - start).norm() - due);
 }
 
-/// Where nothing can be near, a body need not look around. @return whether it has moved
+/// Moves a body without a search if its clearance holds. @return whether it has moved
 bool Kinematics2d::moveUnseen(BodyIndex index, double dt, const Block& block) {
   if (travelled(block) > clearance(index).free_until) {
     return false;
@@ -119,7 +120,7 @@ bool Kinematics2d::moveUnseen(BodyIndex index, double dt, const Block& block) {
   return true;
 }
 
-/// What is near is found by where it was before, until all blocks have moved.
+/// Sets the pose. Until all blocks have moved, the grid keeps the position before.
 void Kinematics2d::put(BodyIndex index, const PlacedPose& pose, const Block& block) {
   if (areAllInOne(block)) {
     bodies_.setPose(index, pose);
@@ -128,7 +129,8 @@ void Kinematics2d::put(BodyIndex index, const PlacedPose& pose, const Block& blo
   }
 }
 
-/// Looks around. @return whether the body, with what it grips, is free there; then it has moved
+/// Searches for neighbours. @return whether the body, with the one it grips, is free at the pose; then it has moved
+/// there
 bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose, const Block& block) {
   const Motion& record = motion(index);
   const BodyIndex gripped = record.gripped;
@@ -144,7 +146,7 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose, const Block&
     if (!tryCarry(index, pose, record.place_of_gripped)) {
       return false;
     }
-    around.free_until = -1.0;  // what is gripped was left out, and is near once it is let go
+    around.free_until = -1.0;  // gripped bodies were skipped; they count as neighbours again after release
   }
   clearance(index) = around;
   put(index, pose, block);
@@ -167,8 +169,7 @@ bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const plana
   return true;
 }
 
-/// Those that are near a body, which is to be at a position not far from where it is. Null if there are too many for a
-/// list.
+/// Neighbours of a body for a position not far from its current one. Null if there are too many for a list.
 const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vector2d& position, const Block& block) {
   constexpr float kFewer = 0.7F;
   constexpr float kMore = 1.1F;
@@ -178,7 +179,7 @@ const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vecto
   if (near.gapToOthers(travelled(block)) - away > near.leastGap()) {
     return &near;
   }
-  SWARMANOID_EXPECTS(areAllInOne(block));  // or else cells are not up to date: see knowsWhoIsNear
+  SWARMANOID_EXPECTS(areAllInOne(block));  // otherwise cells are not up to date: see knowsWhoIsNear
   const float look = near.look;
   near.count = 0;
   bool has_room = true;
@@ -190,18 +191,18 @@ const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vecto
     return has_room;
   });
   if (has_room) {
-    // nearest first: most of the others then need no close look
+    // nearest first: most of the others then need no exact test
     std::sort(near.bodies.begin(), near.bodies.begin() + near.count, [&](BodyIndex a, BodyIndex b) {
       return (bodies_.circle(a).centre - position).squaredNorm() < (bodies_.circle(b).centre - position).squaredNorm();
     });
   }
   near.look = has_room ? std::min(static_cast<float>(kMostLookAhead), kMore * look) : kFewer * look;
-  // from now on both sides come nearer by what is travelled; some have this step's stride and detour still before them
+  // from now on both sides approach by the distance travelled; some still have this step's stride and detour ahead
   near.until = has_room ? freeUntil(look - away - 2.0 * (stride_ + block.detour), block) : -1.0;
   return has_room ? &near : nullptr;
 }
 
-/// What it holds, or is held by, is never in its way.
+/// Skips bodies connected by grips.
 bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& around, const Block& block) {
   const Body& body = bodies_[index];
   const double radius = body.model->radius;
@@ -212,7 +213,7 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& ar
     nearest = std::max(0.0, near->gapToOthers(travelled(block)) - away);
   }
   if (!areAllInOne(block)) {
-    nearest = std::min(nearest, stride_);  // other blocks keep away farther than that: see lookAround
+    nearest = std::min(nearest, stride_);  // bodies of other blocks stay farther away: see lookAround
   }
   bool free = true;
   around.at_all_heights = areAllInOne(block);
@@ -231,14 +232,14 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& ar
            !planar::modelsOverlap(*body.model, pose, body.along, other) || !isHindering(index, pose, other);
     return free;
   });
-  // From now on both sides come nearer by what is travelled; some bodies have this step's stride and detour still
-  // before them.
+  // From now on both sides approach by the distance travelled; some bodies still have this step's stride and detour
+  // ahead.
   around.free_until = freeUntil(nearest - stride_ - block.detour, block);
   around.look_ahead = lookAheadFor(nearest);
   return free;
 }
 
-/// Not so a mirror that was put upon a body: moving away from it must stay possible.
+/// A mirror that was placed onto a body does not hinder it from moving away.
 bool Kinematics2d::isHindering(BodyIndex index, const PlacedPose& pose, const Body& other) {
   const Body& body = bodies_[index];
   const bool goes_away =

@@ -1,4 +1,4 @@
-/// Who is near a body, kept over some steps: so that not every look around goes through cells.
+/// Neighbours of a body, cached over some steps, so that not every search goes through the cells.
 #pragma once
 
 #include <array>
@@ -8,24 +8,24 @@
 
 namespace swarmanoid::kinematics2d {
 
-constexpr double kMostLookAhead = 0.3;  ///< m: far enough for many ticks, and yet few cells
+constexpr double kMostLookAhead = 0.3;  ///< range of a search, at most [m]: lasts for many ticks, in few cells
 
-/// The bodies that were near one when it last looked farther than it had to. Whoever is not listed is farther away than
-/// what is left of that look by now. Distances are counted as in Clearance.
+/// Bodies near a body in its last search of the cells, which went farther than needed. All bodies that are not listed
+/// are farther away than the part of that range that is still left. Distances are counted as in Clearance.
 struct alignas(64) Neighbours {
   static constexpr std::size_t kMost = 11;
 
-  double until = -1.0;          ///< up to this distance travelled nobody else can have come near
-  float look = kMostLookAhead;  ///< how far to look the next time [m]
+  double until = -1.0;          ///< up to this distance travelled no other body can have come near
+  float look = kMostLookAhead;  ///< range of the next search [m]
   std::uint16_t count = 0;
-  std::uint16_t meeting = 0;  ///< those that it may meet in the step under way, a bit each
+  std::uint16_t meeting = 0;  ///< bodies that it may meet in the current step, one bit each
   std::array<planar::BodyIndex, kMost> bodies;
 
   std::uint32_t all() const { return (1U << count) - 1U; }
 
-  /// With less to all others it is soon time to look again [m].
+  /// Gap to unlisted bodies at which the list is due for renewal [m].
   double leastGap() const { return 0.25 * look; }
-  /// How far away all others are at least, at a distance travelled [m].
+  /// Lower bound of the gap to unlisted bodies, at a distance travelled [m].
   double gapToOthers(double travelled) const { return 2.0 * (until - travelled); }
 };
 static_assert(sizeof(Neighbours) == 64);

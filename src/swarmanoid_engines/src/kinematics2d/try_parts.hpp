@@ -1,10 +1,10 @@
-/// How much of a way or of a turn is free.
+/// Search for the free part of a way or a turn.
 #pragma once
 
 namespace swarmanoid::kinematics2d {
 
-/// Goes from 0 towards 1 by a half, a quarter, and so on, as far as `try_part(part)` says that it has gone there. A way
-/// of 3 cm ends within 1 mm of the contact.
+/// Goes from 0 towards 1 by a half, a quarter, and so on; `try_part(part)` moves there if that part is free, and
+/// returns whether it did. A way of 3 cm ends within 1 mm of the contact.
 template <class TryPart>
 void tryParts(TryPart try_part) {
   constexpr int kHalvings = 5;

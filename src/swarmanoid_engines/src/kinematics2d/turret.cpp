@@ -1,4 +1,4 @@
-// Phase `move`: turrets, and what their grippers hold.
+// Phase `move`: turrets, and the bodies that their grippers hold.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace swarmanoid::kinematics2d {
 
 using planar::Turret;
 
-/// @return how fast anything moves at most that a turning turret holds [m/s]
+/// @return upper bound on the speed of a body that a turning turret holds [m/s]
 double Kinematics2d::startTurrets(double step) {
   double fastest = 0.0;
   for (Turret& turret : bodies_.turrets()) {
@@ -59,7 +59,7 @@ bool Kinematics2d::tryTurned(Turret& turret, const PlacedPose& pose, double angl
       return false;
     }
     record.place_of_gripped = place;
-    around.free_until = -1.0;  // as where a body moves
+    around.free_until = -1.0;  // as in tryPose
   }
   clearance(index) = around;
   bodies_.setPose(index, pose);

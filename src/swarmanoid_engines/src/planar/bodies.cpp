@@ -7,7 +7,7 @@
 
 namespace swarmanoid::planar {
 namespace {
-constexpr double kLargeRadius = 0.4;  // m: what is wider would make every look into the grid wide
+constexpr double kLargeRadius = 0.4;  // m: wider bodies would widen every query of the grid
 
 bool areSame(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.coeffs() == b.coeffs(); }
 }  // namespace
@@ -70,7 +70,7 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   findMechanisms(space, index);
 
   index_of_row_.fit(row, kNoBody) = index;
-  // a mirror of an old entity may come late: the order is by number, not by arrival
+  // the mirror of an older entity may be added later: the order is by number, not by arrival
   order_.insert(std::upper_bound(order_.begin(), order_.end(), index,
                                  [&](BodyIndex a, BodyIndex b) { return (*this)[a].number < (*this)[b].number; }),
                 index);
@@ -95,7 +95,7 @@ bool Bodies::place(const Space& space, BodyIndex index) {
   const Eigen::Quaterniond base = plane_.baseOf(pose.orientation);
   const bool has_changed = !areSame(base, record.base) || haveJointsTurned(space, index);
   if (has_changed) {
-    // not shared: a mirror that rocks has another base each tick
+    // not shared: the base of a rocking mirror changes every tick
     record.base = base;
     const Span<const JointState> joints = space.joints[body.row];
     std::copy(joints.begin(), joints.end(), ownProjection(index).joints.begin());

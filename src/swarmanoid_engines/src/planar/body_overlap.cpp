@@ -6,14 +6,14 @@ namespace swarmanoid::planar {
 
 namespace {
 
-/// Calls visit(mine, other's) for all pairs of shapes at the same heights, in the other body's frame, in which only one
-/// of the two models has to be placed; until it returns true. @return whether it did
+/// Calls visit(mine, other's) for all pairs of shapes whose heights overlap, until it returns true. Works in the other
+/// body's frame, so that only one of the two models has to be placed. @return whether a visit returned true
 template <class Visit>
 bool visitPairs(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other, Visit visit) {
   if (!model.band.overlaps(other.model->band, along, other.along)) {
     return false;
   }
-  thread_local PlanarShape placed;  // kept, for its memory
+  thread_local PlanarShape placed;  // thread_local to reuse its memory
   const Eigen::Vector2d position = other.pose.unrotated(pose.position - other.pose.position);
   const double cosine = pose.cosine * other.pose.cosine + pose.sine * other.pose.sine;
   const double sine = pose.sine * other.pose.cosine - pose.cosine * other.pose.sine;

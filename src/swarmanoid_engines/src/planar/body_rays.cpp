@@ -19,7 +19,7 @@ inline PlanarRay relativeTo(const Body& body, const Plane& plane, const Segment&
           plane.along(segment.to) - height};
 }
 
-/// Some rays of a bundle as the plane sees them, and between which heights they all are.
+/// Some rays of a bundle, projected to the plane, and their common range of heights.
 struct PlanarRays {
   static constexpr std::size_t kMost = 32;
 
@@ -48,12 +48,12 @@ struct Disc {
   double radius;  // m
 };
 
-/// What holds all rays of a bundle, seen along the plane's axis.
+/// A disc that holds all rays of a bundle, seen along the plane's normal.
 Disc discAround(const Plane& plane, const RayBundle& rays) {
   if (rays.segments.size() != 1) {
     return {plane.toLocal(rays.centre), rays.radius};
   }
-  // a single ray is often a steep one, which goes to the ground and is much shorter in the plane
+  // a single ray is often steep: it goes to the ground and is much shorter in the plane
   constexpr double kMargin = 1e-6;  // m, for rounding
   const Eigen::Vector2d from = plane.toLocal(rays.segments[0].from);
   const Eigen::Vector2d to = plane.toLocal(rays.segments[0].to);
@@ -64,17 +64,17 @@ bool isVisibleTo(const RayBundle& rays, const Body& body) {
   return body.row != rays.ignored && body.row != rays.also_ignored && !body.is_seen_elsewhere;
 }
 
-/// Whether a shape of a body is as high as rays are.
+/// Whether the heights of a shape overlap those of the rays.
 bool isInReach(const PlanarShape& shape, const Body& body, double lowest, double highest) {
   return shape.band.low + body.along <= highest && lowest <= shape.band.high + body.along;
 }
 
-/// Whether all that is as high as the rays are meets the shape where it meets the outline.
+/// Whether a shape is a circle that spans all heights of the rays, so that its outline decides every hit.
 bool isCircleToAll(const PlanarShape& shape, const Body& body, const RayBundle& rays) {
   return shape.isCircle() && shape.band.low + body.along <= rays.lowest && rays.highest <= shape.band.high + body.along;
 }
 
-/// Around a shape, in the plane's frame.
+/// Circle around a shape, in the plane's frame.
 Bodies::Circle circleAround(const PlanarShape& shape, const Body& body) {
   return {body.pose.position + body.pose.rotated(shape.centre), shape.radius};
 }
@@ -84,7 +84,7 @@ void hitShape(const Bodies& bodies, const PlanarRay& ray, const Body& body, cons
   if (fraction > hit.fraction) {
     return;
   }
-  // between surfaces at the same distance the older entity is hit, whatever the order of the look-up
+  // of surfaces at the same distance, the older entity is hit, whatever the order of the query
   const BodyIndex rival = hit.row == kNoRow ? kNoBody : bodies.find(hit.row);
   if (fraction < hit.fraction || (rival != kNoBody && body.number < bodies[rival].number)) {
     hit = {fraction, body.row};

@@ -3,7 +3,7 @@
 namespace swarmanoid::planar {
 
 void CellGrid::configure(const Eigen::Vector2d& corner, const Eigen::Vector2d& size) {
-  constexpr double kSmallestCell = 0.6;  // m: a footbot and what it feels; a crowd has some four in a cell
+  constexpr double kSmallestCell = 0.6;  // m: a footbot and its sensor range; in a crowd, a cell holds some four robots
   constexpr double kMostPerAxis = 2048.0;
   layout_ = CellLayout(corner, size, kSmallestCell, kMostPerAxis);
   clear();

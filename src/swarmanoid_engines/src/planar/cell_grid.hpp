@@ -1,8 +1,8 @@
-/// Which small bodies are near a place: a grid of cells over the arena, each a linked list of the bodies whose centre
+/// Broad phase for small bodies: a grid of cells over the arena. Each cell is a linked list of the bodies whose centre
 /// is in it.
 ///
-/// Moving a body to another cell is a few writes; nothing is allocated but when bodies are added. What is outside the
-/// arena is kept in the border cells.
+/// Moving a body to another cell takes a few writes; only `add` allocates. Bodies outside the arena are in the border
+/// cells.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,12 +17,12 @@ class CellGrid {
  public:
   static constexpr std::int32_t kEnd = -1;
 
-  /// @param corner of the area, with its least coordinates [m] @param size of the area from there [m]
+  /// @param corner of the area, with its smallest coordinates [m] @param size of the area from there [m]
   void configure(const Eigen::Vector2d& corner, const Eigen::Vector2d& size);
 
   void add(std::int32_t body, const Eigen::Vector2d& position);
   void remove(std::int32_t body);
-  /// Whether `move` would put it into another cell.
+  /// Whether `move` would change the body's cell.
   bool isElsewhere(std::int32_t body, const Eigen::Vector2d& position) const {
     return cellOf(position) != cell_[static_cast<std::size_t>(body)];
   }

@@ -5,7 +5,7 @@
 namespace swarmanoid::planar {
 namespace {
 
-/// A shape's corners, in its body's frame; a circle has sixteen.
+/// Corners of a shape in its body's frame; a circle is drawn with sixteen.
 std::vector<Eigen::Vector2d> outlineOf(const PlanarShape& shape) {
   if (!shape.isCircle()) {
     return shape.vertices;

@@ -1,4 +1,4 @@
-/// Lines that show what planar bodies are made of.
+/// Debug drawing of planar bodies.
 #pragma once
 
 #include "planar/bodies.hpp"
@@ -6,10 +6,10 @@
 
 namespace swarmanoid::planar {
 
-/// The outlines of all bodies' shapes, at the top and at the bottom of the band of heights that they fill.
+/// Adds the outlines of all shapes, at the top and at the bottom of their bands.
 void drawShapes(const Bodies& bodies, EngineDrawing& drawing);
 
-/// A line in the plane, at a body's middle height.
+/// Adds a line in the plane, at the middle height of a body.
 void drawLine(const Bodies& bodies, BodyIndex at_height_of, EngineDrawing::Kind kind, const Eigen::Vector2d& from,
               const Eigen::Vector2d& to, EngineDrawing& drawing);
 

@@ -1,4 +1,4 @@
-/// What a gripper reaches: a gripping strip within kGripperReach of its tip.
+/// Reach of grippers: a gripper closes on a gripping strip within kGripperReach of its tip.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace swarmanoid::planar {
 
-/// The tip of a gripper, in the plane and along its normal.
+/// Tip of a gripper: position in the plane, and coordinate along its normal.
 struct GripperTip {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
   double along = 0.0;                                  ///< [m]
@@ -22,12 +22,12 @@ inline bool isGripperClosed(const Space& space, const Body& body) {
 /// @pre the body has a gripper
 GripperTip gripperTip(const Bodies& bodies, BodyIndex gripper);
 
-/// Distance from the tip to the strip around a body, seen along the normal; infinite where there is none for it: no
-/// strip, one that is no circle in the plane, or at another height [m].
+/// Distance from the tip to the gripping strip around a body, seen along the normal [m]. Infinite if the body has no
+/// strip, if the strip is not a circle in the plane, or if the tip is at another height.
 double distanceToStrip(const Bodies& bodies, BodyIndex body, const GripperTip& tip);
 
-/// The body nearest to the gripper's tip among those within reach for which `may_be_gripped(index)` is true; of equal
-/// ones the oldest. kNoBody if there is none.
+/// The body nearest to the gripper's tip, among those within reach for which `may_be_gripped(index)` is true; at equal
+/// distances the oldest. kNoBody if there is none.
 template <class Filter>
 BodyIndex findInReach(const Bodies& bodies, BodyIndex gripper, Filter may_be_gripped) {
   const GripperTip tip = gripperTip(bodies, gripper);

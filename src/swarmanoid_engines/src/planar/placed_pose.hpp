@@ -1,4 +1,4 @@
-/// A planar pose that things are placed by, and where a constant velocity takes it.
+/// Planar pose for placing shapes, and its integration at constant velocity.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace swarmanoid::planar {
 
-/// A pose with the heading's cosine and sine at hand.
+/// A pose with the cosine and sine of its heading.
 struct PlacedPose {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   double heading = 0.0;
@@ -17,12 +17,13 @@ struct PlacedPose {
   static PlacedPose at(const Eigen::Vector2d& position, double heading) {
     return {position, heading, std::cos(heading), std::sin(heading)};
   }
-  /// The same, in a fraction of the time if the heading is that of a pose at hand: most things go straight on.
+  /// As above, but without computing cosine and sine if the heading equals that of `similar`: most bodies move
+  /// straight.
   static PlacedPose at(const Eigen::Vector2d& position, double heading, const PlacedPose& similar) {
     return heading == similar.heading ? PlacedPose{position, heading, similar.cosine, similar.sine}
                                       : at(position, heading);
   }
-  /// A pose at hand, moved and turned a little: as exact as `at`, in a fraction of the time.
+  /// A known pose, moved and turned a little: as exact as `at`, but much faster.
   /// @param way [m] @param turn [rad]
   static PlacedPose nearby(const PlacedPose& pose, const Eigen::Vector2d& way, double turn) {
     constexpr double kSmall = 1e-3;  // rad: the next term of both series is below the last digit
@@ -44,7 +45,7 @@ struct PlacedPose {
   }
 };
 
-/// Where a velocity, constant in the body's frame while it turns, takes a body: exactly along the arc.
+/// Pose of a body after a time with a velocity that is constant in its own, turning frame: exact along the arc.
 /// @param velocity [m/s]; @param turn_rate [rad/s]; @param dt [s]
 PlacedPose integrateTurning(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt);
 inline PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt) {
@@ -56,8 +57,8 @@ inline PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velo
   return end;
 }
 
-/// The inverse: the velocity at the end of an arc of constant speed and turn rate.
-/// @param mean along the chord [m/s]; @param turn from the start of the arc to its end, in (-pi, pi]
+/// Inverse of `integrate`: the velocity at the end of an arc of constant speed and turn rate.
+/// @param mean velocity along the chord [m/s]; @param turn from the start of the arc to its end, in (-pi, pi]
 Eigen::Vector2d velocityAtEnd(const Eigen::Vector2d& mean, double turn);
 
 }  // namespace swarmanoid::planar

@@ -18,7 +18,7 @@ namespace swarmanoid::planar {
 namespace {
 constexpr Range kSubclockRange{1.0, 10000.0};
 
-/// Whether a device works with what is of use in three dimensions only.
+/// Whether a device needs a joint or holder that works in three dimensions only.
 bool isSpatial(const EntityModel& model, const DeviceUse& device) {
   const int turret = turretJoint(model);
   const EntityModel::Joint* planar = turret < 0 ? nullptr : &model.joints[static_cast<std::size_t>(turret)];
@@ -73,7 +73,7 @@ std::string PlanarEngine::unsupportedStateReason(const Space& space, Row row) co
   const EntityModel& model = *space.entities.model[row];
   const int turret = turretJoint(model);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    // arms stand idle in a plane, and weigh what they weigh there with the joints at zero
+    // arms are idle in a plane; the engine uses their mass distribution with the joints at zero
     if (static_cast<int>(i) != turret && std::abs(space.joints[row][i].angle) > kStretched) {
       return "its joint '" + model.joints[i].name + "' is not at zero";
     }
@@ -85,7 +85,7 @@ std::string PlanarEngine::invalidPoseReason(const EntityModel& model, const Pose
   constexpr double kInPlane = 1e-6;  // m
   const Plane& plane = bodies_.plane();
   const double along = plane.along(pose.position);
-  // what has its origin above its base stands on the plane
+  // a model with its origin above its base stands on the plane
   const double height = model.origin_height * plane.along(pose.orientation * Eigen::Vector3d::UnitZ());
   if (model.is_movable && std::abs(along - height - plane.distance()) > kInPlane) {
     PlainTextStream text;
@@ -108,7 +108,7 @@ bool PlanarEngine::mayHit(const RayBundle& rays) const { return planar::mayHit(b
 
 void PlanarEngine::findObstacles(const RayBundle& rays, Obstacles& found) const {
   if (hitsPrisms()) {
-    Engine::findObstacles(rays, found);  // outlines in the plane say nothing of what is seen from above
+    Engine::findObstacles(rays, found);  // outlines in the plane do not show the view from above
   } else {
     planar::findObstacles(*this, bodies_, rays, found);
   }

@@ -1,5 +1,5 @@
-/// What engines that work in a plane have in common (thesis 3.5.1, figure 3.8): where the plane is, the bodies in it,
-/// what may stand there, and the rays against them.
+/// Base of the engines that work in a plane (thesis 3.5.1, figure 3.8): the plane, its bodies, the poses that are
+/// allowed, and rays.
 #pragma once
 
 #include <vector>
@@ -14,10 +14,11 @@ class PlanarEngine : public Engine {
  public:
   void configure(const std::string& id, const Configuration& parameters) override;
   std::string unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const override;
-  /// Arms, hands, ropes and magnets.
+  /// True for arms, hands, ropes and magnets.
   bool mayStandIdle(const EntityModel& model, const DeviceUse& device) const override;
   std::string unsupportedStateReason(const Space& space, Row row) const override;
-  /// What is not in the plane, and robots that do not stand on their treels: these drive along the plane only so.
+  /// Rejects movable entities outside the plane, and wheeled robots that do not stand on their treels, which then could
+  /// not drive along the plane.
   std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const override;
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
@@ -26,29 +27,29 @@ class PlanarEngine : public Engine {
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
   void castRayAt(const Obstacles::Solid& solid, const Segment& segment, RayHit& hit) const override;
   bool blocks(Row row, const RayBundle& ray) const override;
-  /// In a plane that stands upright.
+  /// True if the plane is vertical.
   bool hitsPrisms() const override;
   void draw(EngineDrawing& drawing) const override;
   EngineHealth health() const override { return {subclock_, "", {}}; }
 
  protected:
-  /// subclock, perpendicular_axis and distance.
+  /// The parameters subclock, perpendicular_axis and distance.
   static std::vector<Parameter> placementParameters();
 
-  /// From the commands of wheels or flight to `velocity` and `turn_rate`. @pre the body has one of them
+  /// Converts the command of wheels or flight to `velocity` and `turn_rate`. @pre the body has one of them
   static void readCommands(const Space& space, Body& body);
 
-  /// Wheels turn as they are commanded, also where the robot is held back: then they slip. @param tick [s]
+  /// Wheels turn at the commanded speed even if the robot is blocked; then they slip. @param tick [s]
   static void turnWheels(Space& space, const Body& body, double tick);
 
-  /// Writes where a body is now, if it has moved in this tick. What did not turn keeps its orientation to the bit.
+  /// Writes the pose of a body that has moved in this tick. A body that did not turn keeps its orientation bit for bit.
   void writePose(Space& space, BodyIndex index, double heading_before) const;
 
   Bodies bodies_;
   int subclock_ = 1;
 };
 
-// Inline, since engines call these for each body in each tick.
+// Inline because engines call these functions for each body in each tick.
 
 inline void PlanarEngine::readCommands(const Space& space, Body& body) {
   SWARMANOID_EXPECTS(body.isDriven());

@@ -22,7 +22,7 @@ void findConvexHull(std::vector<Eigen::Vector2d>& points, std::vector<Eigen::Vec
       }
     }
     if (hull.size() > start + 1) {
-      hull.pop_back();  // where the other side starts
+      hull.pop_back();  // first point of the other side
     }
     std::reverse(points.begin(), points.end());
   }
@@ -30,7 +30,8 @@ void findConvexHull(std::vector<Eigen::Vector2d>& points, std::vector<Eigen::Vec
 
 namespace {
 
-/// Calls visit(point) for points whose hull is the solid: a box's corners, or a ring around each face of a cylinder.
+/// Calls visit(point) for points whose hull is the solid: the corners of a box, or a ring around each face of a
+/// cylinder.
 template <class Visit>
 void visitOutline(const CollisionShape& shape, Visit visit) {
   const Eigen::Vector3d& h = shape.half_extent;
@@ -79,7 +80,7 @@ void projectShape(const CollisionShape& shape, const Plane& plane, const Eigen::
   }
 }
 
-/// Of the largest circle around its centre that lies in it.
+/// Radius of the largest circle around the shape's centre that lies in the shape.
 double innerRadius(const PlanarShape& shape) {
   if (shape.isCircle()) {
     return shape.radius;

@@ -6,8 +6,8 @@
 namespace swarmanoid::planar {
 namespace {
 
-/// Whether a polygon has a point nearer than a distance to a point, or has it inside. Most pairs are apart by one edge:
-/// no root and no division is needed.
+/// Whether a point is in a polygon or closer to it than a distance. One edge rejects most pairs, without a root or a
+/// division.
 bool isNearer(const PlanarShape& polygon, const Eigen::Vector2d& point, double distance) {
   const double distance_squared = distance * distance;
   bool is_inside = true;
@@ -16,7 +16,7 @@ bool isNearer(const PlanarShape& polygon, const Eigen::Vector2d& point, double d
     const Eigen::Vector2d edge = next - *corner;
     const Eigen::Vector2d way = point - *corner;
     corner = &next;
-    const double outside = edge.y() * way.x() - edge.x() * way.y();  // by how much, times the edge's length
+    const double outside = edge.y() * way.x() - edge.x() * way.y();  // distance from the edge, times its length
     if (outside <= 0.0) {
       continue;
     }
@@ -35,7 +35,7 @@ bool isNearer(const PlanarShape& polygon, const Eigen::Vector2d& point, double d
   return is_inside;
 }
 
-/// Whether an edge of `a` has all of `b` on its outer side (separating axis theorem).
+/// Whether all of `b` is on the outer side of one edge of `a` (separating axis theorem).
 bool hasSeparatingEdge(const PlanarShape& a, const PlanarShape& b) {
   const std::size_t count = a.vertices.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -52,7 +52,7 @@ bool hasSeparatingEdge(const PlanarShape& a, const PlanarShape& b) {
   return false;
 }
 
-/// The edge of `a` that `b` leaves by the shortest way; the normal points out of `a`.
+/// The edge of `a` with the least depth of `b`; the normal points out of `a`.
 Penetration leastDepth(const PlanarShape& a, const PlanarShape& b) {
   Penetration least{std::numeric_limits<double>::infinity(), {}};
   const std::size_t count = a.vertices.size();
@@ -70,7 +70,7 @@ Penetration leastDepth(const PlanarShape& a, const PlanarShape& b) {
   return least;
 }
 
-/// The way of a circle out of a polygon: by the nearest edge, or from the nearest vertex.
+/// The shortest way of a circle out of a polygon: across the nearest edge, or away from the nearest vertex.
 Penetration leaveByNearest(const PlanarShape& circle, const PlanarShape& polygon) {
   double deepest = -std::numeric_limits<double>::infinity();
   double nearest_squared = std::numeric_limits<double>::infinity();

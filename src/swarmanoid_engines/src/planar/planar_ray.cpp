@@ -14,7 +14,7 @@ void clipToPolygon(LinePart& inside, const PlanarRay& ray, const PlanarShape& po
     const double approach = outward.dot(ray.step);
     corner = &next;
     if (distance > 0.0 && distance + approach > 0.0) {
-      // all of the ray is on the edge's outer side: so it is most of the time
+      // the whole ray is on the edge's outer side, the most frequent case
       inside.clear();
       return;
     }
@@ -29,7 +29,7 @@ void clipToPolygon(LinePart& inside, const PlanarRay& ray, const PlanarShape& po
 }  // namespace
 
 double closestHit(const PlanarRay& ray, const PlanarShape& shape, double offset) {
-  // the ray passes over or under the shape, or its line misses the circle around it: so it is most of the time
+  // the most frequent cases: the ray passes over or under the shape, or its line misses the circle around it
   const double low = shape.band.low + offset;
   const double high = shape.band.high + offset;
   if ((ray.height > high && ray.height + ray.climb > high) || (ray.height < low && ray.height + ray.climb < low)) {

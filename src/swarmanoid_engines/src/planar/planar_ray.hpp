@@ -1,4 +1,4 @@
-/// Where a ray hits a planar shape, extruded to its band of heights.
+/// Intersection of a ray with a planar shape, extruded to its band of heights.
 #pragma once
 
 #include <limits>
@@ -17,7 +17,7 @@ struct PlanarRay {
 
 constexpr double kNoHit = std::numeric_limits<double>::infinity();
 
-/// The fraction of the ray at which it first hits the shape, 0 if it starts inside; kNoHit if it does not.
+/// Fraction of the ray at which it first hits the shape; 0 if it starts inside, kNoHit if it misses.
 /// @param offset is added to the shape's band
 double closestHit(const PlanarRay& ray, const PlanarShape& shape, double offset);
 

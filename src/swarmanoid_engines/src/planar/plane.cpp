@@ -13,7 +13,7 @@ double Plane::headingOf(const Eigen::Quaterniond& orientation) const {
 Eigen::Quaterniond Plane::baseOf(const Eigen::Quaterniond& orientation) const {
   const Eigen::AngleAxisd back(-headingOf(orientation), normal());
   const Eigen::Quaterniond base = (back * orientation).normalized();
-  // rounding must not make two upright bodies differ
+  // rounding must not make the bases of two upright bodies differ
   constexpr double kNothing = 1e-12;
   return base.vec().norm() < kNothing ? Eigen::Quaterniond::Identity() : base;
 }

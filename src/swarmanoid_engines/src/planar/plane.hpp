@@ -1,8 +1,8 @@
-/// The plane that a two-dimensional engine works in (thesis 3.5.1, figure 3.8), and its local frame.
+/// The plane of a two-dimensional engine (thesis 3.5.1, figure 3.8), and its local frame.
 ///
 /// The plane is perpendicular to an axis of W, at a signed distance from the origin. Local coordinates (u, v) and the
-/// normal n are right-handed: z gives (x, y), x gives (y, z), y gives (z, x). A body's heading is its turn about the
-/// normal; what else its orientation has is its base, and stays as it is.
+/// normal n are right-handed: z gives (x, y), x gives (y, z), y gives (z, x). An orientation is split into the heading,
+/// a rotation about the normal, and the base, which motion in the plane does not change.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace swarmanoid::planar {
 
-/// Place and heading in the plane [m, rad].
+/// Position and heading in the plane [m, rad].
 struct PlanarPose {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   double heading = 0.0;
@@ -42,12 +42,12 @@ class Plane {
     return p;
   }
 
-  /// The turn about the normal in an orientation, in [-pi, pi] [rad].
+  /// The rotation about the normal in an orientation, in [-pi, pi] [rad].
   double headingOf(const Eigen::Quaterniond& orientation) const;
-  /// What remains of an orientation without its heading.
+  /// An orientation without its heading.
   Eigen::Quaterniond baseOf(const Eigen::Quaterniond& orientation) const;
   Eigen::Quaterniond orientation(double heading, const Eigen::Quaterniond& base) const;
-  /// Whether body z is along the normal, either way.
+  /// Whether body z is along the normal or opposite to it.
   bool isUpright(const Eigen::Quaterniond& orientation) const;
 
  private:

@@ -1,4 +1,4 @@
-// Bodies that nothing can reach are moved alone, and move as they would in an island.
+// Bodies that nothing can reach move alone, and in the same way as in an island.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -28,7 +28,7 @@ TEST(AloneTest, ABodyFarFromAllIsInNoIsland) {
 }
 
 TEST(AloneTest, TheWayIsTheSameInAnIslandAndAlone) {
-  // between two walls, which it does not touch, and far from everything
+  // between two walls, which it does not touch, and far from all other bodies
   std::vector<Pose> ends;
   for (const bool near_wall : {true, false}) {
     World world({20.0, 20.0, 2.0}, 4);
@@ -38,7 +38,7 @@ TEST(AloneTest, TheWayIsTheSameInAnIslandAndAlone) {
       world.addBlock({8.0, 0.1, 0.5}, {4.0, 2.2, 0.25});
     }
     for (int i = 0; i < 30; ++i) {
-      world.drive(row, i % 6 < 3 ? 0.2 : -0.2, i % 10 < 5 ? -0.3 : 0.4);  // beyond what treels hold in a step
+      world.drive(row, i % 6 < 3 ? 0.2 : -0.2, i % 10 < 5 ? -0.3 : 0.4);  // more than treels can follow in a step
       world.step();
       ASSERT_EQ(world.engine.bodiesInIslands(), near_wall ? 1U : 0U);
     }
@@ -49,7 +49,7 @@ TEST(AloneTest, TheWayIsTheSameInAnIslandAndAlone) {
 }
 
 TEST(AloneTest, WhoComesFastIsMet) {
-  // one that stands alone, and one that comes from far within few ticks
+  // a robot that stands alone, and a robot that arrives from far away within few ticks
   World world({10.0, 10.0, 2.0}, 1);
   const Row standing = world.addFootbot(flatPose(6.0, 2.0));
   const Row comes = world.addRobot(discModel(0.1, 0.15), flatPose(1.0, 2.0));
@@ -68,7 +68,7 @@ TEST(AloneTest, AMirrorThatIsPutBesideItIsFelt) {
   const Row mirror = world.add(cylindricPreyModel(0.1, 0.1), flatPose(8.0, 2.0), Role::kMirror);
   world.step(5);
   EXPECT_EQ(world.engine.bodiesInIslands(), 0U);
-  world.pose(mirror).position.x() = 1.85;  // at once, and into it
+  world.pose(mirror).position.x() = 1.85;  // placed into the prey at once
   world.step(30);
   EXPECT_GT((world.pose(prey).position - world.pose(mirror).position).norm(), 0.2 - 0.6e-3);
 }
@@ -95,7 +95,7 @@ TEST(AloneTest, AFastBodyHasOnlyThoseInItsIslandThatItReaches) {
 }
 
 TEST(AloneTest, WhatAFastOneHitsHitsOthers) {
-  // a ball on ice, and more of them in a line, each too far from the next to be reached by what was slow
+  // a ball on ice, and more of them in a line, each too far from the next to be reached by slow bodies
   World world({20.0, 10.0, 2.0}, 1, "z", 0.0, {{"ground_friction", "0"}, {"restitution", "1"}});
   std::vector<Row> rows;
   for (const double x : {6.0, 6.35, 6.7, 7.05}) {

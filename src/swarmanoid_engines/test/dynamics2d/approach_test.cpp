@@ -1,4 +1,4 @@
-// Whoever comes up to something stops at its surface, at any speed, clocktick and subclock, and comes free again.
+// A robot that approaches an obstacle stops at its surface, at any speed, clocktick and subclock, and comes free again.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDeepest = 0.6e-3;  // m: what engines.md promises
-constexpr double kNear = 1e-3;       // m: what counts as contact
+constexpr double kDeepest = 0.6e-3;  // m: the limit in engines.md
+constexpr double kNear = 1e-3;       // m: counts as contact
 constexpr double kTip = 0.11;        // m, of the gripper
 constexpr double kWall = 1.95;       // m, where the wall begins
 
@@ -25,7 +25,7 @@ class ApproachTest : public testing::TestWithParam<std::tuple<double, double, in
   double speed() const { return std::get<0>(GetParam()); }
   double dt() const { return std::get<1>(GetParam()); }
 
-  /// Ticks for some seconds, in which nothing may overlap.
+  /// Runs for some seconds, in which nothing may overlap.
   void run(double seconds) {
     const int ticks = static_cast<int>(std::ceil(seconds / dt() - 1e-9));
     for (int i = 0; i < ticks; ++i) {
@@ -38,7 +38,7 @@ class ApproachTest : public testing::TestWithParam<std::tuple<double, double, in
   }
   void expectNoOverlap(const char* when) { EXPECT_LE(deepest, kDeepest) << when; }
 
-  /// Drives towards what is ahead and goes on, which brings the tip of the gripper to its surface. @param radius [m]
+  /// Drives on towards a round body, which brings the tip of the gripper to its surface. @param radius of `ahead` [m]
   void pushAhead(Row row, Row ahead, double radius) {
     world.drive(row, speed());
     run(3.0);
@@ -47,7 +47,7 @@ class ApproachTest : public testing::TestWithParam<std::tuple<double, double, in
     EXPECT_NEAR(way - radius - kTip, 0.0, kNear);
   }
 
-  /// Turns on the spot, and then backs off from where it is. @param row who is at contact
+  /// Turns on the spot, then backs off. @param row robot at contact
   /// @param turn that is possible within a second [rad]
   void expectFreedom(Row row, double turn = 0.8) {
     world.drive(row, 0.0, 0.9);
@@ -63,7 +63,7 @@ class ApproachTest : public testing::TestWithParam<std::tuple<double, double, in
   }
 
   World world{{10.0, 10.0, 2.0}, std::get<2>(GetParam())};
-  std::vector<Row> rows;  // all that may overlap
+  std::vector<Row> rows;  // all bodies that may overlap
   double deepest = 0.0;   // m, since the start
 };
 
@@ -88,11 +88,11 @@ TEST_P(ApproachTest, AConcaveCornerIsReachedAndLeft) {
   expectNoOverlap("in the corner");
   EXPECT_GT(world.pose(row).position.x(), kWall - 0.12);
   EXPECT_GT(world.pose(row).position.y(), kWall + 2.0 - 0.12);
-  expectFreedom(row, 0.45);  // both walls rub against its nose
+  expectFreedom(row, 0.45);  // both walls touch its nose
 }
 
 TEST_P(ApproachTest, AConvexCornerIsReachedAndLeft) {
-  // the robot's round back comes diagonally to the edge of a block at (2, 2)
+  // the robot's round back approaches the edge of a block at (2, 2) diagonally
   rows.push_back(world.addBlock({0.4, 0.4, 0.5}, {2.2, 2.2, 0.25}));
   const double reach = 0.085 + 0.0937;
   const Row row = world.addFootbot(flatPose(2.0 - reach * std::sqrt(0.5), 2.0 - reach * std::sqrt(0.5), -0.75 * M_PI));

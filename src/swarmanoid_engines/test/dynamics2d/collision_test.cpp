@@ -1,4 +1,4 @@
-// Bodies that meet: momentum, energy, walls, crowds.
+// Collisions: momentum, energy, walls, crowds.
 #include <box2d/b2_body.h>
 #include <gtest/gtest.h>
 
@@ -91,7 +91,7 @@ TEST(CollisionTest, WhatPressesOnAnotherSinksInByNoMoreThanTheTolerance) {
   World world({10.0, 10.0, 2.0}, 10);
   const Row prey = world.addPrey(0.1, 0.1, 1.0, 1.0, 1000.0);
   const Row footbot = world.addFootbot(flatPose(1.3, 1.0));
-  world.drive(footbot, -0.1);  // its round back ahead
+  world.drive(footbot, -0.1);  // with its round back ahead
   world.step(100);
   const double gap = world.pose(footbot).position.x() - world.pose(prey).position.x() - 0.185;
   EXPECT_GT(gap, -0.65e-3);
@@ -156,11 +156,12 @@ TEST(CollisionTest, AMirrorThatIsPutUponAFootbotPushesItGentlyAway) {
   EXPECT_EQ(world.pose(mirror).position.x(), 1.1);
 }
 
-/// Its entity drives an arc of 0.3 m/s and 1.4 rad/s from the heading 0.4: the chord of the tick ends on the arc.
+/// The entity of the mirror drives an arc of 0.3 m/s and 1.4 rad/s from the heading 0.4: the chord of the tick ends on
+/// the arc.
 TEST(CollisionTest, AMirrorComesWhereTheArcOfItsEntityLeads) {
   World world({10.0, 10.0, 2.0}, 10);
   world.space.clocktick = std::chrono::milliseconds(100);
-  // what it pushes is in contact with it where the arc ends
+  // the pushed body touches the mirror where the arc ends
   const Row mirror = world.add(cylindricPreyModel(0.1, 0.1), flatPose(1.0, 1.0, 0.4), Role::kMirror);
   const Row prey =
       world.add(cylindricPreyModel(0.1, 0.1), flatPose(1.0 + 0.2 * std::cos(0.9), 1.0 + 0.2 * std::sin(0.9)));

@@ -1,4 +1,4 @@
-// Crowds that press start each tick from the contact forces of the last one.
+// Crowds under pressure start each tick from the contact forces of the last one.
 #include "dynamics2d/crowd_memory.hpp"
 
 #include <gtest/gtest.h>

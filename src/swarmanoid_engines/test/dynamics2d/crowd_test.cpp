@@ -1,4 +1,4 @@
-// Nothing explodes: crowds that push, grip and tear, with a mirror going through them, for long.
+// Long runs stay stable: crowds that push, grip and tear, with a mirror that moves through them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kSide = 1.4;  // m
 
-/// Eight footbots, two preys and a mirror in a box that leaves them little room.
+/// Eight footbots, two preys and a mirror in a tight box.
 struct Crowd {
   Crowd() {
     for (const double at : {0.0, kSide}) {
@@ -30,7 +30,7 @@ struct Crowd {
     mirror = world.add(cylindricPreyModel(0.05, 0.1), flatPose(1.1, 1.1), Role::kMirror);
   }
 
-  /// One tick; now and then everybody gets another command, at once and to the other extreme.
+  /// Runs one tick; at random times each robot gets a new command, which jumps to another extreme.
   void tick() {
     for (const Row row : footbots) {
       if (random() % 16 == 0) {
@@ -47,7 +47,7 @@ struct Crowd {
 
   World world{{kSide, kSide, 1.0}, 4, "z", 0.0, {{"grip_strength", "15"}}};
   std::vector<Row> footbots;
-  std::vector<Row> bodies;  // all that the engine moves
+  std::vector<Row> bodies;  // all bodies that the engine moves
   Row mirror = kNoRow;
   std::mt19937 random{3};
 };

@@ -1,4 +1,4 @@
-// A mirror cannot be held back, nor can a wall: who is between them stays on his side of the wall, and is free later.
+// Neither a mirror nor a wall yields: a robot between them stays on its side of the wall, and is free later.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ constexpr double kStep = 0.025;       // s
 
 struct Case {
   double wall_heading;  // rad
-  double skew;          // of the footbot's axle against the way across the wall [rad]
+  double skew;          // of the footbot's axle, from the normal of the wall [rad]
   double thickness;     // m
   bool is_mirror_square = false;
 };
@@ -33,9 +33,9 @@ struct AtWall {
     mirror = world.add(model, flatPose(5.0, 5.0, which.wall_heading + 0.3), Role::kMirror);
   }
 
-  /// Of the footbot's middle from the wall's side [m].
+  /// Distance of the footbot's middle from the wall's side [m].
   double distance() const { return (world.pose(footbot).position - side).dot(across); }
-  /// Ticks with the mirror at places in front of the wall. @param places their distances from the wall's side [m]
+  /// Runs ticks with the mirror at places in front of the wall. @param places their distances from the wall's side [m]
   /// @return the footbot's least distance [m]
   double press(const std::vector<double>& places) {
     double nearest = distance();
@@ -48,7 +48,7 @@ struct AtWall {
     world.space.entities.twist[mirror].linear.setZero();
     return nearest;
   }
-  /// The largest speed in two seconds [m/s].
+  /// Drives for two seconds. @return largest speed [m/s]
   double drive(double speed, double turn_rate) {
     world.drive(footbot, speed, turn_rate);
     double fastest = 0.0;
@@ -68,7 +68,7 @@ struct AtWall {
 
 class CrushingTest : public ::testing::TestWithParam<Case> {
  protected:
-  /// It is out of the wall, on its side, and drives like one that was always there.
+  /// Expects that the footbot is out of the wall, on its side, and drives as a robot that was always there.
   void expectFreedom() {
     crushed.world.step(2);
     EXPECT_GT(crushed.distance(), 0.085 - 3e-4);
@@ -85,7 +85,8 @@ class CrushingTest : public ::testing::TestWithParam<Case> {
 };
 
 TEST_P(CrushingTest, BetweenAWallAndAMirrorThatIsPutUponItAFootbotStaysOnItsSide) {
-  // a mirror pushes what it is put upon with at most 0.3 m/s, so the wall is no deeper in it than that makes in a step
+  // a mirror pushes a body that it is placed onto by at most 0.3 m/s, which limits its depth in the wall to one step of
+  // that
   EXPECT_GT(crushed.press(std::vector<double>(30, 0.09)), 0.085 - 0.3 * kStep - 1e-3);
   expectFreedom();
 }

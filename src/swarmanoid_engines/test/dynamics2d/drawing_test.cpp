@@ -1,4 +1,4 @@
-// What people see of the engine.
+// Debug drawing of the engine.
 #include <gtest/gtest.h>
 
 #include "world.hpp"
@@ -29,7 +29,7 @@ TEST(DrawingTest, ShowsShapesContactsGripsAndForces) {
   EXPECT_NEAR((drawing.lines(Kind::kJoint)[0].first.head<2>() - world.pose(footbot).position.head<2>()).norm(), 0,
               1e-3);
   EXPECT_NEAR((drawing.lines(Kind::kJoint)[1].second.head<2>() - world.pose(prey).position.head<2>()).norm(), 0, 1e-3);
-  // it pulls in vain, as hard as the ground holds
+  // it pulls in vain, with the friction limit of the ground
   ASSERT_EQ(drawing.lines(Kind::kForce).size(), 2U);
   Vector3d force = Vector3d::Zero();
   for (const auto& [from, to] : drawing.lines(Kind::kForce)) {

@@ -1,4 +1,4 @@
-// How hard a footbot pushes, and when its treels slip.
+// Pushing force of a footbot, and the slip of its treels.
 #include <gtest/gtest.h>
 
 #include "world.hpp"
@@ -9,12 +9,12 @@ namespace {
 constexpr double kFootbotMass = 1.8;
 constexpr double kTreelFriction = 0.9;
 constexpr double kGroundFriction = 0.4;
-/// The mass of a block that a footbot just cannot push.
+/// Largest mass of a block that a footbot can push.
 constexpr double kLimit = kTreelFriction * kFootbotMass / kGroundFriction;
 
 class PushTest : public testing::TestWithParam<int> {
  protected:
-  /// How far a footbot pushes a block in 10 s, after it has come up to it.
+  /// Way of a block that a footbot pushes for 10 s, after it has reached the block.
   double wayOfBlock(double mass) {
     World world({10.0, 10.0, 2.0}, GetParam());
     const Row footbot = world.addFootbot(flatPose(1.0, 1.0));
@@ -34,7 +34,7 @@ TEST_P(PushTest, WhatIsJustTooHeavyStays) { EXPECT_LT(wayOfBlock(1.05 * kLimit),
 
 INSTANTIATE_TEST_SUITE_P(Subclocks, PushTest, testing::Values(1, 4, 10, 50));
 
-/// How far a footbot pushes a robot of another mass that stands with its treels locked, in 5 s.
+/// Way of a robot of another mass, with locked treels, that a footbot pushes for 5 s.
 double wayOfStanding(double mass) {
   World world({10.0, 10.0, 2.0}, 10);
   auto model = std::make_shared<EntityModel>(*discModel(0.085, 0.1));

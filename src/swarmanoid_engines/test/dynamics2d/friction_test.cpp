@@ -1,4 +1,4 @@
-// Friction with the ground is Coulomb's: against the slip, as large as the weight allows, whatever the direction.
+// Friction with the ground is Coulomb's: against the slip, as large as the weight allows, in any direction.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,7 +26,7 @@ double direction(int k) { return (7.0 + 22.5 * k) * kDegree; }
 
 Vector2d along(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Between two directions [rad].
+/// Angle between two directions [rad].
 double angleBetween(const Vector2d& a, const Vector2d& b) {
   return std::abs(std::atan2(planar::cross(a, b), a.dot(b)));
 }
@@ -38,8 +38,8 @@ struct Motion {
   Vector2d at(const Vector2d& arm) const { return velocity + turn_rate * Vector2d(-arm.y(), arm.x()); }
 };
 
-/// A footbot that moves, alone, or with its gripper closed on a prey that weighs next to nothing: that has it driven
-/// together with what it holds.
+/// A footbot in motion, alone, or with its gripper closed on a prey of almost no weight, so that it is solved in an
+/// island together with the prey.
 class Slider {
  public:
   Slider(double heading, const Motion& motion, bool holds, int subclock)
@@ -81,7 +81,7 @@ class Slider {
   }
 };
 
-/// Whether the robot holds something, how it turns [rad/s], and the commanded speed and turn rate.
+/// Whether the robot holds a prey, its turn rate [rad/s], and the commanded speed and turn rate.
 struct SlipCase {
   bool holds;
   double turn_rate;
@@ -158,8 +158,8 @@ TEST(WallSlipTest, ADiscGoesAlongASmoothWallWithTheSpeedAlongIt) {
 }
 
 TEST(PullTest, TenPullAsFastAsTheirTreelsAndThePreyAgree) {
-  // each pulls along its own heading and is dragged aside by the others: what all treels push ahead is what the ground
-  // holds the prey with
+  // each pulls along its own heading and is dragged aside by the others: the forward forces of all treels equal the
+  // friction of the prey on the ground
   constexpr double kTold = 0.1;  // m/s
   constexpr double kReach = 0.915;
   constexpr double kPreyMass = 20.0;
@@ -218,7 +218,7 @@ TEST(SlidingTest, WhatHasItsCentreOfMassElsewhereSlidesStraight) {
 }
 
 TEST(SlidingTest, ADiscThatSpinsSlidesFartherAndOneThatSlidesSpinsLonger) {
-  // Coulomb on each ring and angle of an evenly loaded disc, integrated by itself; both come to rest at the same time
+  // Coulomb friction on rings and angles of an evenly loaded disc, integrated here; both motions end at the same time
   constexpr double kRadius = 0.1;
   for (const auto& [speed, turn_rate] :
        {std::pair{0.8, 0.0}, std::pair{0.0, 5.0}, std::pair{0.8, 5.0}, std::pair{0.31, -17.0}, std::pair{0.55, 9.3}}) {

@@ -1,4 +1,4 @@
-// Grips: any structure, rigid, until they tear.
+// Grips: rigid, in any structure, until they tear.
 #include <gtest/gtest.h>
 
 #include "world.hpp"
@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 constexpr double kReach = 0.115;  // m from a footbot's centre to the strip it grips
 
-/// Distance of two entities' origins.
+/// Distance between the origins of two entities.
 double distance(const World& world, Row a, Row b) { return (world.pose(a).position - world.pose(b).position).norm(); }
 
 TEST(GrippingTest, AGrippedPreyComesAlongAndIsLetGo) {

@@ -1,4 +1,4 @@
-// Nothing jumps through anything, however fast and thin; and bodies rest where their surfaces meet.
+// No tunnelling, however fast and thin bodies are; and bodies rest where their surfaces meet.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDeepest = 0.6e-3;  // m: what engines.md promises
+constexpr double kDeepest = 0.6e-3;  // m: the limit in engines.md
 
 void tick(World& world, double seconds) {
   world.engine.readMirrors(world.space);
@@ -98,7 +98,7 @@ TEST(ImpactTest, AFastRobotIsStoppedByAThinWall) {
 
 TEST(ImpactTest, BodiesRestWhereTheirSurfacesMeet) {
   for (const double thickness : {0.001, 0.004, 0.1}) {
-    for (const double angle : {0.0, 0.41}) {  // polygon at polygon, both turned
+    for (const double angle : {0.0, 0.41}) {  // polygon against polygon, both turned
       World world({10.0, 10.0, 2.0}, 4);
       const Vector3d ahead(std::cos(angle), std::sin(angle), 0.0);
       const Vector3d start(2.0, 2.0, 0.0);

@@ -1,5 +1,5 @@
-// Nothing depends on where in the world bodies are, nor on its axes, nor on what was before: a world that is moved,
-// turned, mirrored, stood up or begun anew in the middle runs the same.
+// Results do not depend on the position in the world, its axes, or the past: a world that is moved, turned, mirrored,
+// set upright or restarted in the middle of a run behaves the same.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,10 +17,10 @@ using Eigen::Vector3d;
 
 using Places = std::array<Vector2d, 2>;
 
-/// Two footbots that push against each other. @param aside by which they miss each other's middle [m]
+/// Two footbots that push against each other. @param aside lateral offset of their middles [m]
 Places startsOf(double aside) { return {Vector2d(-0.13, -0.5 * aside), Vector2d(0.13, 0.5 * aside)}; }
 
-/// Where they are after 12 s, seen from where they met.
+/// Their places after 12 s, relative to the place where they met.
 Places pushEachOther(const Vector2d& middle, double heading, double aside) {
   World world({100.0, 100.0, 2.0}, 4);
   const Eigen::Rotation2Dd turn(heading);
@@ -88,7 +88,7 @@ TEST(IsotropyTest, PlanesThatStandRunAsTheLevelOne) {
 }
 
 TEST(RestartTest, ACrowdThatIsBegunAnewInTheMiddleGoesOnAsItWas) {
-  // nothing but poses and velocities is kept from tick to tick
+  // small islands keep only poses and velocities from tick to tick
   const auto driven = [](World& world, const std::vector<Pose>& poses, const std::vector<Twist>& twists) {
     world.addBlock({0.1, 4.0, 0.5}, {2.0, 2.0, 0.25});
     std::vector<Row> rows;

@@ -1,4 +1,4 @@
-// Crowds that press: no robot leaves the room, none is deep in another.
+// Crowds under pressure: no robot leaves the room, none is deep in another.
 #include "../jam.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace jam;
 
-constexpr double kPromised = 6e-4;  // m: what the pages promise
+constexpr double kPromised = 6e-4;  // m: the limit in the documentation
 
 class JamTest : public testing::TestWithParam<JamCase> {};
 

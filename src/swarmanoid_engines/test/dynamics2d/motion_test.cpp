@@ -1,4 +1,4 @@
-// Where treels take a footbot that nothing is in the way of.
+// Motion of unobstructed footbots on their treels.
 #include <gtest/gtest.h>
 
 #include "world.hpp"

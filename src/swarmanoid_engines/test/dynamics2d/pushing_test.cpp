@@ -1,5 +1,5 @@
-// Pushed and pulled loads against hand computations: Coulomb's law on each element of what a load stands on, slow
-// enough that masses do not matter. The hand computations take sums over fine grids and know nothing of the engine.
+// Pushed and pulled loads against hand computations: Coulomb's law on each element of a load's support, slow enough
+// that masses do not matter. The hand computations are sums over fine grids, independent of the engine.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 constexpr double kBackRadius = 0.085;  // m, of a footbot
 constexpr double kTip = 0.11;          // m, of its gripper
 
-/// Where a function changes its sign.
+/// A zero of a function that changes its sign.
 double root(const std::function<double(double)>& function, double low, double high) {
   const bool starts_positive = function(low) > 0.0;
   for (int i = 0; i < 60; ++i) {
@@ -28,7 +28,7 @@ double root(const std::function<double(double)>& function, double low, double hi
   return 0.5 * (low + high);
 }
 
-/// The moment about `about` of friction on evenly loaded points that turn about `pole`, in parts of mu m g.
+/// The moment about `about` of friction on evenly loaded points that turn about `pole`, in units of mu m g.
 double frictionMoment(const std::vector<Vector2d>& points, const Vector2d& pole, const Vector2d& about) {
   double sum = 0.0;
   for (const Vector2d& point : points) {
@@ -68,9 +68,9 @@ struct Moved {
 };
 
 /// A block that a smooth round pusher shifts along x. The force is along the normal of the pushed side, so by symmetry
-/// the block turns about a point of the line through its middle along that side: the one where friction has no moment
-/// about the contact.
-/// @param points that carry the block, evenly
+/// the block turns about a point of the line through its middle along that side: the point at which friction has no
+/// moment about the contact.
+/// @param points points that carry the block, evenly
 Moved pushBlock(const std::vector<Vector2d>& points, double length, double offset, double way) {
   constexpr int kSteps = 200;
   double heading = 0.0;
@@ -115,7 +115,7 @@ class OffCentrePushTest : public testing::TestWithParam<Steps> {
     double heading;  // rad
     double mass;     // kg
   };
-  /// What a footbot's round back makes of a block of 0.2 m x 0.6 m, in the block's frame before.
+  /// Motion of a block of 0.2 m x 0.6 m pushed by a footbot's round back, in the block's frame before the push.
   static Moved push(const Case& given, const std::string& support) {
     constexpr double kGap = 1e-3;  // m
     constexpr double kSpeed = 0.058;
@@ -165,7 +165,7 @@ TEST(HandComputationTest, AgreesWithAnIntegrationMadeElsewhere) {
 }
 
 TEST(DiscPushTest, ADiscRollsOffItsPusher) {
-  // the contact sticks until it slips at its friction; values integrated by hand over an evenly loaded disc
+  // the contact sticks until its friction limit; values integrated by hand over an evenly loaded disc
   constexpr double kDegree = M_PI / 180.0;
   for (const double heading : {0.0, 0.9, -2.4}) {
     World world({30.0, 20.0, 3.0}, 10, "z", 0.0, {{"ground_friction", "0.5"}, {"contact_friction", "0.5"}});
@@ -248,10 +248,10 @@ TEST(TrailingTest, ALoadBehindAPassiveTurretComesIntoLine) {
   EXPECT_NEAR(angle, expected, 0.05 * expected);
 }
 
-/// Footbots side by side that push one block.
+/// Footbots side by side that push a block.
 class CrowdPushTest : public testing::TestWithParam<Steps> {
  protected:
-  /// @return of the block in the last second [m/s]
+  /// @return speed of the block in the last second [m/s]
   static double speedOf(int count, double share, double heading) {
     constexpr double kSpeed = 0.087;
     World world({20.0, 20.0, 3.0}, GetParam().subclock);
@@ -288,7 +288,7 @@ INSTANTIATE_TEST_SUITE_P(Steps, CrowdPushTest,
                          testing::Values(Steps{5, 1}, Steps{100, 4}, Steps{50, 1}, Steps{100, 1}));
 
 TEST(StartTest, AStartedPreyGoesTheSameWayInAllSteps) {
-  // 0.174 m/s after the robot has come up to it by friction, and half a millimetre to the prey
+  // 0.174 m/s after the robot has accelerated by friction, half a millimetre before the prey
   for (const Steps& steps : {Steps{5, 1}, Steps{10, 1}, Steps{25, 1}, Steps{50, 1}, Steps{100, 4}, Steps{100, 1}}) {
     constexpr double kSpeed = 0.174;
     constexpr double kMass = 0.3;
@@ -299,7 +299,7 @@ TEST(StartTest, AStartedPreyGoesTheSameWayInAllSteps) {
     for (int i = 0; i < 300 / steps.tick_ms; ++i) {
       tick(world, steps.tick_ms);
     }
-    // treels push both from the contact on, against the prey's friction
+    // from the contact on, treels push both against the prey's friction
     const double alone = 0.9 * kGravity;
     const double met = std::sqrt(2.0 * alone * 5e-4);
     const double together = 1.8 / (1.8 + kMass) * met;

@@ -1,5 +1,5 @@
-// Wheels and bodies as robot descriptions have them: lying cylinders and boxes, turned by nearly a right angle or by
-// any angle. Whatever they become in the plane, no assertion of Box2D is reached, and contacts are as exact as
+// Wheels and bodies as in robot descriptions: lying cylinders and boxes, turned by nearly a right angle or by any
+// angle. Whatever their projection to the plane, no assertion of Box2D is reached, and contacts are as exact as
 // elsewhere.
 #include <gtest/gtest.h>
 
@@ -14,13 +14,13 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-/// Numbers that people and programs write into descriptions.
+/// Numbers as people and programs write them into descriptions.
 class Descriptions {
  public:
   explicit Descriptions(unsigned seed) : random_(seed) {}
 
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  /// A multiple of a right angle, with as many digits as it is written with, or any angle [rad].
+  /// A multiple of a right angle, written with some number of digits, or any angle [rad].
   double angle() {
     if (random_() % 4 == 0) {
       return between(-M_PI, M_PI);

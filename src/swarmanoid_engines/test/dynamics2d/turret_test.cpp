@@ -1,4 +1,4 @@
-// Turrets with forces: they turn what they hold, or the robot, with no more than their torque.
+// Turrets with forces: they turn their load, or the robot, with no more than their torque.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -12,8 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kArm = 0.22;  // m from a footbot's centre to that of a prey that it holds
-// With which treels that slip resist turning: half the weight on each, times friction and half their distance, twice.
+constexpr double kArm = 0.22;  // m from a footbot's centre to that of a gripped prey
+// Torque with which slipping treels resist turning: half the weight on each, times friction and half their distance,
+// twice.
 constexpr double kTreelTorque = 0.5 * 0.9 * 1.8 * kGravity * 0.14;  // N m
 
 /// A footbot with a turret at (2, 2), closed on a prey ahead.
@@ -57,7 +58,7 @@ TEST(TurretTest, TheGripperCatchesWhereItIsTurned) {
   for (const double angle : {0.0, M_PI / 2.0}) {
     World world({10.0, 10.0, 2.0}, 4);
     const Row footbot = world.addTurret(flatPose(2.0, 2.0));
-    world.addBlock({0.1, 0.1, 0.2}, {2.3, 2.15, 0.1});  // beside the way of the body, in that of a gripper turned left
+    world.addBlock({0.1, 0.1, 0.2}, {2.3, 2.15, 0.1});  // blocks only a gripper that is turned left
     world.turret(footbot).holdAngle(angle);
     world.step(6);
     world.drive(footbot, 0.1);
@@ -101,7 +102,7 @@ TEST(TurretTest, WithoutLoadItStopsBeforeWhatIsInTheWay) {
 TEST(TurretTest, ALightLoadTurnsAroundTheRobot) {
   Holder holder(0.3);
   ASSERT_TRUE(holder.isHolding());
-  holder.turret().turnAt(0.5);  // the treels hold against what brings it up to that
+  holder.turret().turnAt(0.5);  // the treels hold against the torque that accelerates it
   holder.world.step(20);
   EXPECT_NEAR(holder.state().angle, 1.0, 0.01);
   EXPECT_NEAR(holder.heading(), 0.0, 0.01);
@@ -140,7 +141,7 @@ TEST(TurretTest, SlipsBeyondItsTorqueAndHoldsBelow) {
 }
 
 TEST(TurretTest, ItsTorqueTurnsLoadsAsNewtonSays) {
-  // on ice, with slack treels, the motor turns robot and load against each other
+  // on ice, with treels without friction, the motor turns robot and load against each other
   constexpr double kTorque = 0.004;  // N m
   constexpr double kMass = 2.0;
   Holder holder(kMass, footbotOfTorque(kTorque), {{"ground_friction", "0"}, {"treel_friction", "0"}});
@@ -154,7 +155,7 @@ TEST(TurretTest, ItsTorqueTurnsLoadsAsNewtonSays) {
 }
 
 TEST(TurretTest, ALightLoadFeelsTheTorqueAndNoMoreThanItsSpeedNeeds) {
-  // on ice, with treels that hold: the load is brought to the speed by the torque, and stays at it
+  // on ice, with treels that hold: the torque accelerates the load to the speed, where it stays
   for (const double mass : {0.02, 0.1, 0.3}) {
     for (const double torque : {0.02, 0.1, 0.3, 1.0}) {
       for (const int subclock : {1, 4, 10}) {

@@ -1,4 +1,4 @@
-// Joints of handbots at the ends of their range: whatever is commanded, and whatever pulls on them.
+// Joints of handbots at the ends of their range, with any command and any load.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSecond = 100;  // ticks, each of one step: nothing goes unseen between two of them
+constexpr int kSecond = 100;  // ticks, each of one step: the test sees every step
 
 class ArmsWorld : public HandbotWorld {
  public:
@@ -44,13 +44,13 @@ class ArmsWorld : public HandbotWorld {
     }
   }
 
-  double fastest = 0.0;  // of the joints' greatest speed
+  double fastest = 0.0;  // largest speed in units of the joints' limits
   double strayed = 0.0;  // m, of the robot
   Vector3d start{2.0, 2.0, 0.0};
   Row robot = addHandbot(flatPose(2.0, 2.0));
 };
 
-/// Commands to a joint: far and a little beyond its limits, at them, a little and far within.
+/// Commands to a joint: far and a little beyond its limits, at them, and a little and far within them.
 std::array<double, 9> commandsFor(const EntityModel::Joint& joint) {
   return {-10.0, joint.upper + 0.01, joint.lower,        0.37, joint.upper, joint.lower + 0.013,
           10.0,  joint.lower - 0.01, joint.upper - 0.013};
@@ -121,7 +121,7 @@ TEST(ArmLimitsTest, WithALoadInTheHand) {
   }
 }
 
-/// A handbot on a pedestal, held down by a lid, with a load that is more than its motors hold.
+/// A handbot on a pedestal, held down by a lid, with a load beyond the torque of its motors.
 struct Overloaded : ArmsWorld {
   Overloaded() : ArmsWorld("200") {
     addBlock({0.2, 0.28, 0.4}, 0.0, flatPose(1.95, 2.0, 0.0, 0.2));
@@ -149,7 +149,7 @@ TEST(ArmLimitsTest, AWristDoesNotTurnThroughItsStops) {
     Overloaded world;
     world.commanded(2) = side * 3.14;
     world.run(4 * kSecond);
-    // a bar to one side, that wants to turn the wrist on
+    // a bar to one side, whose weight turns the wrist further
     const Row bar = world.addBlock({0.02, 1.4, 0.02}, 1.2, flatPose(2.216, 2.11 - side * 0.65, 0.0, 0.55));
     world.hands(world.robot).left = true;
     world.run(1);

@@ -63,7 +63,7 @@ TEST(ArmsTest, RaysHitThemWhereTheyAre) {
 TEST(HandsTest, TakeLiftAndLetGo) {
   HandbotWorld world;
   const Row robot = world.addHandbot(flatPose(2.0, 2.0));
-  // a box under the left hand, of the height of the cups
+  // a box under the left hand, as high as the cups
   const Row box = world.addBlock({0.06, 0.06, 0.12}, 0.1, flatPose(2.24, 2.11, 0.0, 0.15));
   const Row table = world.addBlock({0.2, 0.2, 0.09}, 0.0, flatPose(2.3, 2.11, 0.0, 0.045));
   world.hands(robot).left = true;
@@ -90,8 +90,9 @@ TEST(HandsTest, HoldNothingOutOfReach) {
   EXPECT_FALSE(world.space.attachments.isAttached(robot));
 }
 
-/// A handbot that holds on to a beam above it with its right hand, until what it stands on is taken away.
-/// @param share of its weight that the hand can hold @return what the event of its coming off says; "": it holds on
+/// A handbot that holds a beam above it with its right hand, until its stand is removed.
+/// @param share of its weight that the hand can hold @return text of the event in which the hand comes off; "": it
+/// holds on
 std::string hangByAHand(double gravity, double share) {
   const double weight = robotModel("handbot")->mass * gravity;
   HandbotWorld world({{"gravity", std::to_string(gravity)}, {"suction_strength", std::to_string(share * weight)}});

@@ -1,4 +1,4 @@
-// The balls on which robots with wheels stand: never ahead of the body that is seen.
+// The balls on which robots with wheels stand: never ahead of the visible body.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -18,7 +18,7 @@ CollisionShape solid(Kind kind, const Vector3d& half_extent, const Vector3d& pos
   return {kind, half_extent, position, Eigen::Quaterniond(Eigen::AngleAxisd(heading, Vector3d::UnitZ()))};
 }
 
-/// A robot of 1 kg without joints. @param radius of the wheels [m]; @param separation of them [m]
+/// A robot of 1 kg without joints. @param radius of the wheels [m]; @param separation of the wheels [m]
 std::shared_ptr<EntityModel> robotOf(std::vector<CollisionShape> shapes, double radius, double separation) {
   auto model = std::make_shared<EntityModel>(*robotModel("footbot"));
   model->shapes = std::move(shapes);

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kMisjudged = 3e-5;  // m: by which faces are preferred to edges
+constexpr double kMisjudged = 3e-5;  // m: preference of faces over edges
 
 PlacedSolid boxOf(const Vector3d& half, const Vector3d& centre, const Matrix3d& axes) {
   CollisionShape shape;
@@ -27,7 +27,7 @@ PlacedSolid boxOf(const Vector3d& half, const Vector3d& centre, const Matrix3d& 
   return box;
 }
 
-/// Between two boxes along a direction, from their corners [m]; below 0: they overlap.
+/// Gap between two boxes along a direction, from their corners [m]; below 0: they overlap.
 double gapAlong(const PlacedSolid& a, const PlacedSolid& b, const Vector3d& direction) {
   double low[2] = {1e9, 1e9};
   double high[2] = {-1e9, -1e9};
@@ -43,7 +43,7 @@ double gapAlong(const PlacedSolid& a, const PlacedSolid& b, const Vector3d& dire
   return std::max(low[0] - high[1], low[1] - high[0]);
 }
 
-/// The widest of all axes: below 0, how far the boxes have to be moved apart.
+/// The widest gap of all axes; if below 0, its size is the distance by which the boxes have to be moved apart.
 double widestGap(const PlacedSolid& a, const PlacedSolid& b) {
   constexpr double kParallel = 1e-9;
   double widest = -1e9;
@@ -60,7 +60,7 @@ double widestGap(const PlacedSolid& a, const PlacedSolid& b) {
 }
 
 /// Pairs of boxes, plates and rods near each other: turned at random, by quarter turns exactly and nearly, about one
-/// axis, and as a tilted box carries another.
+/// axis, and as one box on another, tilted one.
 class RandomBoxes {
  public:
   void next() {
@@ -152,7 +152,7 @@ TEST(BoxesTest, NoContactIsMissedAndAllLeadOutOfTheOther) {
     }
     ASSERT_NEAR(deepest.depth, -gap, kMisjudged) << "pose " << i;
     ASSERT_NEAR(deepest.normal.norm(), 1.0, 1e-9) << "pose " << i;
-    // a is out of b, or as near as it may be, when it has gone by the depth along the normal
+    // after a has moved by the depth along the normal, it is out of b, within the tolerance
     PlacedSolid out = boxes.a;
     out.centre += deepest.depth * deepest.normal;
     ASSERT_NEAR(widestGap(out, boxes.b), 0.0, 2.0 * kMisjudged) << "pose " << i;
@@ -164,7 +164,7 @@ TEST(BoxesTest, NoContactIsMissedAndAllLeadOutOfTheOther) {
 }
 
 TEST(BoxesTest, WhatOdeMissesIsFound) {
-  // for the decision to have a test of its own: of poses with quarter turns ODE misses some that are deeper than 0.1 mm
+  // test of the reason for own code: in poses with quarter turns ODE misses some overlaps deeper than 0.1 mm
   dInitODE2(0);
   RandomBoxes boxes;
   int missed_by_ode = 0;

@@ -1,4 +1,4 @@
-// Crowds, mirrors put upon robots, sudden commands: speeds stay bounded, and the same run gives the same bits.
+// Crowds, mirrors placed onto robots, sudden commands: speeds stay bounded, and the same run gives the same bits.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -149,7 +149,7 @@ TEST(CrowdTest, AMirrorPushesWhatItMeets) {
   EXPECT_NEAR(world.pose(prey).position.x(), world.pose(mirror).position.x() + 0.11 + 0.06, 0.015);
   EXPECT_NEAR(world.pose(prey).position.y(), 2.0, 0.01);
   EXPECT_EQ(world.pose(mirror).position.z(), 0.0);
-  EXPECT_EQ(world.twist(mirror).linear.x(), 0.1);  // it is not this engine that moves it
+  EXPECT_EQ(world.twist(mirror).linear.x(), 0.1);  // this engine does not move it
 }
 
 TEST(CrowdTest, MirrorsPutUponRobotsPushThemOutSlowly) {

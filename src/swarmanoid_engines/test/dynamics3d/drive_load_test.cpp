@@ -1,4 +1,4 @@
-// Friction of contacts whose load comes from a robot's own drive: walls, squeezed blocks, discs that are pushed.
+// Friction of contacts whose load comes from a robot's own drive: walls, squeezed blocks, pushed discs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr double kSlipForce = 0.9 * 1.8 * kGravity;  // N, of a footbot whose tr
 
 struct WallCase {
   double friction;
-  double degrees;  // from straight at the wall
+  double degrees;  // heading, from the wall's normal
   double turn;     // of the world [rad]
   const char* subclock;
 };
@@ -31,8 +31,8 @@ class WallTest : public testing::TestWithParam<WallCase> {};
 
 TEST_P(WallTest, AlongAWallARobotIsAsFastAsFrictionLetsIt) {
   // By hand: with the heading `a` from the wall's normal, treels slip by v cos a towards the wall and by v sin a - s
-  // along it, where s is the speed along the wall. Their friction opposes that slip and is all that balances the wall's
-  // load and friction, which are as 1 : mu. So v sin a - s = mu v cos a.
+  // along it, where s is the speed along the wall. Their friction opposes that slip and alone balances the wall's load
+  // and friction, whose ratio is 1 : mu. So v sin a - s = mu v cos a.
   const WallCase& values = GetParam();
   for (const char* solver : {"exact", "iterative"}) {
     World world({{"friction", std::to_string(values.friction)}, {"subclock", values.subclock}, {"solver", solver}});
@@ -80,9 +80,9 @@ INSTANTIATE_TEST_SUITE_P(Three, RoughWallTest,
 class SmoothWallTest : public testing::TestWithParam<WallCase> {};
 
 TEST_P(SmoothWallTest, WhatBacksIntoASmoothWallKeepsItsHeading) {
-  // By hand: treels slip all in one direction u, so their torque is mu (sum of N r) x u. The sum of N r is what the
-  // wall's force tips the robot by, which is along u: there is no torque. What is left, up to 2.3 degrees in 10 s, has
-  // no explanation yet.
+  // By hand: all treels slip in one direction u, so their torque is mu (sum of N r) x u. The sum of N r is the tipping
+  // moment of the wall's force, which is along u: there is no torque. The remaining turn, up to 2.3 degrees in 10 s,
+  // has no explanation yet.
   const WallCase& values = GetParam();
   World world({{"friction", "0"}, {"subclock", values.subclock}});
   const TurnedFrame turned(values.turn);
@@ -109,7 +109,7 @@ void PrintTo(const SqueezeCase& values, std::ostream* out) { *out << values.fric
 
 class SqueezeTest : public testing::TestWithParam<SqueezeCase> {
  protected:
-  /// One footbot presses a block to a wall, another pushes it along. @return by how much the block moves [m]
+  /// One footbot presses a block to a wall, another pushes it along. @return displacement of the block [m]
   static double wayAlong(bool is_pressed) {
     const SqueezeCase& values = GetParam();
     World world({{"friction", std::to_string(values.friction)}, {"subclock", values.subclock}});
@@ -131,8 +131,8 @@ class SqueezeTest : public testing::TestWithParam<SqueezeCase> {
 };
 
 TEST_P(SqueezeTest, APressedBlockStaysWhereFrictionHoldsIt) {
-  // By hand: the ground holds mu m g and the wall mu times what the presser pushes with. Together that is more than
-  // what the pusher pushes with, the ground alone holds less.
+  // By hand: the ground holds mu m g and the wall mu times the force of the presser. Together that exceeds the force of
+  // the pusher; the ground alone holds less.
   const SqueezeCase& values = GetParam();
   const double on_ground = values.friction * values.mass * kGravity;
   ASSERT_LT(on_ground, 0.95 * kSlipForce);
@@ -145,11 +145,11 @@ INSTANTIATE_TEST_SUITE_P(Three, SqueezeTest,
                          testing::Values(SqueezeCase{0.8, 1.0, 0.4, "10"}, SqueezeCase{0.57, 2.3, 1.9, "14"},
                                          SqueezeCase{0.49, 3.1, 2.7, "20"}));
 
-/// A disc on the rim of its foot that the corner of a gripper pushes in x, without haste: in each small step the forces
+/// A disc on the rim of its foot, pushed in x by the corner of a gripper, so slowly that in each small step the forces
 /// on it are in balance. The corner sticks to it, which the friction between them allows here.
 struct SlowDisc {
   double radius;
-  double tip_over;  // by how much the push shifts the load ahead [m]: mu x height of the push
+  double tip_over;  // shift of the load ahead by the push [m]: mu x height of the push
   double side;      // of the disc's centre, beside the corner [m]
   double turn = 0.0;
 
@@ -168,11 +168,11 @@ struct SlowDisc {
     return sum;
   }
 
-  /// Pushes it on by so much.
+  /// Pushes the disc by a distance.
   void push(double way) {
     constexpr int kSteps = 300;
     for (int i = 0; i < kSteps; ++i) {
-      // the rate at which it turns follows from the balance of torques about the corner: by bisection
+      // the turn rate follows from the balance of torques about the corner: by bisection
       const double along = std::sqrt(radius * radius - side * side);
       const auto torque = [&](double rate) {
         const Vector3d motion(1.0 + rate * -side, rate * along, rate);
@@ -227,7 +227,7 @@ TEST_P(DiscTest, ADiscThatIsPushedOffCentreTurns) {
   while (turned.back(world.pose(footbot).position).x() < kWay) {
     world.step();
   }
-  // rigid bodies leave undetermined at which height of its face the gripper pushes
+  // with rigid bodies, the height at which the gripper's face pushes is undetermined
   SlowDisc low{values.radius, kFriction * kLow, side};
   SlowDisc high{values.radius, kFriction * kHigh, side};
   low.push(turned.back(world.pose(footbot).position).x());

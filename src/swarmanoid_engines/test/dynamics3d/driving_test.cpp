@@ -1,4 +1,4 @@
-// Footbots on their treels, against what their wheels' speeds and Coulomb's friction say.
+// Footbots on their treels, against the predictions from their wheels' speeds and Coulomb friction.
 #include <gtest/gtest.h>
 
 #include "world.hpp"

@@ -1,4 +1,5 @@
-// Nothing explodes: a few that push, grip and tear in a box with a mirror put upon them, and one that flies, for long.
+// Long runs stay stable: a few robots that push, grip and tear in a box with a mirror placed onto them, and a flying
+// one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ class Box {
     mirror = world.add(cylindricPreyModel(0.05, 0.1), flatPose(0.8, 0.1), Role::kMirror);
   }
 
-  /// One tick; now and then somebody gets another command, at once and to the other extreme.
+  /// Runs one tick; at random times each robot gets a new command, which jumps to another extreme.
   void tick() {
     for (const Row row : footbots) {
       if (random_() % 16 == 0) {
@@ -57,7 +58,7 @@ class Box {
 
   World world{{{"grip_strength", "8"}}};
   std::vector<Row> footbots;
-  std::vector<Row> bodies;  // all that the engine moves
+  std::vector<Row> bodies;  // all bodies that the engine moves
   Row eyebot = kNoRow;
   Row mirror = kNoRow;
   int falls = 0;
@@ -65,7 +66,7 @@ class Box {
  private:
   double between(double low, double high) { return low + (high - low) * static_cast<double>(random_()) / 4294967295.0; }
 
-  /// Who has fallen would lie there for the rest of the run; he is put where there is room, if there is.
+  /// A fallen robot would lie for the rest of the run; it is placed at a free spot, if there is one.
   void standUp(Row row) {
     constexpr double kFallen = 0.5;  // rad
     if (tiltOf(world.pose(row)) < kFallen || random_() % 50 != 0) {
@@ -82,7 +83,7 @@ class Box {
   std::mt19937 random_{3};
 };
 
-/// An entity's origin lies in its underside, so of one that has fallen it may touch a wall.
+/// An entity's origin is in its underside; after a fall it may touch a wall.
 bool isInside(const Vector3d& p) {
   constexpr double kSunk = 5e-3;  // m
   return p.head<2>().minCoeff() > -kSunk && p.head<2>().maxCoeff() < kSide + kSunk && p.z() > -kSunk && p.z() < kWalls;

@@ -32,11 +32,11 @@ TEST(FlightTest, ItHoldsItsHeightWhileItFliesAndTurns) {
   }
 }
 
-/// The response to a step of the command, as an engineer would state it.
+/// Response to a step of the command, in usual terms.
 struct StepResponse {
   double rise_time = 0.0;  ///< to nine tenths [s]
   double overshoot = 0.0;  ///< of the step
-  double rest = 0.0;       ///< what is left of the error after 5 s, of the step
+  double rest = 0.0;       ///< remaining error after 5 s, of the step
 };
 
 StepResponse respond(const Vector3d& velocity) {
@@ -49,7 +49,7 @@ StepResponse respond(const Vector3d& velocity) {
   const double speed = velocity.norm();
   for (int tick = 1; tick <= 250; ++tick) {
     world.step();
-    // of the centre of mass: the origin, at the feet, swings when the body tilts
+    // of the centre of mass, since the origin, at the feet, swings when the body tilts
     const Pose& pose = world.pose(eyebot);
     const Twist& twist = world.twist(eyebot);
     const Vector3d centre = pose.orientation * robotModel("eyebot")->centre_of_mass;
@@ -108,7 +108,7 @@ TEST(FlightTest, ItLandsAndStartsAgain) {
   EXPECT_LT(tiltOf(world.pose(eyebot)), 0.01);
   world.flight(eyebot).linear.z() = 0.3;
   world.step(40);
-  EXPECT_NEAR(world.pose(eyebot).position.z(), 1.1, 0.12);  // it first takes back the command to go on down
+  EXPECT_NEAR(world.pose(eyebot).position.z(), 1.1, 0.12);  // it first reverses the commanded descent
 }
 
 TEST(FlightTest, ABumpDoesNotBringItDown) {

@@ -1,4 +1,4 @@
-// Friction opposes the slip, whatever its direction, with Coulomb's size; also under treels, which slip against a belt.
+// Friction opposes the slip in any direction, with Coulomb's size; also under treels, which slip against a belt.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -11,17 +11,17 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// From one vector to another about z [rad].
+/// Angle from one vector to another about z [rad].
 double turnBetween(const Vector3d& from, const Vector3d& to) { return std::atan2(from.cross(to).z(), from.dot(to)); }
 
-/// Degrees against the axes of W.
+/// Direction against the axes of W [degrees].
 class DirectionTest : public testing::TestWithParam<double> {
  protected:
   double direction() const { return GetParam() * kDegree; }
 };
 
 TEST_P(DirectionTest, SlippingTreelsAreBrakedAgainstTheirSlip) {
-  // a footbot that is thrown sideways, its treels running back faster and faster: the slip goes all around
+  // a footbot that is thrown sideways, with treels that run backwards faster and faster: the slip takes all directions
   constexpr double kFriction = 0.21;
   constexpr double kStep = 0.01;  // s
   World world({{"treel_friction", "0.21"}, {"subclock", "1"}});
@@ -40,10 +40,10 @@ TEST_P(DirectionTest, SlippingTreelsAreBrakedAgainstTheirSlip) {
     const Vector3d slip = before - treels.back().rim_speed[0] * ahead;
     const Vector3d change = world.twist(footbot).linear - before;
     if (i < 2 || slip.norm() < 0.1) {
-      continue;  // it settles on its treels; or is about to stop
+      continue;  // it settles on its treels, or is about to stop
     }
     ++compared;
-    // the slip turns a little during the step: its middle counts
+    // the slip turns a little during the step, so its mean is used
     const Vector3d middle = slip + 0.5 * change;
     ASSERT_NEAR(turnBetween(change, -middle), 0.0, 1.0 * kDegree) << "step " << i;
     const double expected = kFriction * (kGravity * kStep + change.z());  // it pitches on its treels
@@ -77,14 +77,14 @@ TEST_P(DirectionTest, AThrownPreyStopsOnItsLine) {
   world.engine.add(world.space, prey, Role::kMove);
   world.step(10);
   const Vector3d way = world.pose(prey).position - Vector3d(3.0, 3.0, 0.0);
-  // of steps of 10 ms the first half of one is missing: the integrator moves by the speed that is left
+  // half a step of 10 ms is missing: the integrator moves by the velocity at the end of each step
   const double expected = 1.37 * 1.37 / (2.0 * 0.43 * kGravity) - 0.5 * 0.01 * 1.37;
   EXPECT_NEAR(way.dot(along), expected, 5e-3 * expected);
   EXPECT_LT((way - way.dot(along) * along).norm(), 1e-3);
 }
 
 TEST_P(DirectionTest, WhatRestsHoldsUntilCoulombsLimit) {
-  // a block pulled by nothing but a slope, in any direction of its own edges and of the slope
+  // a block pulled only by a slope, in any direction relative to its own edges and to the slope
   const double limit = std::atan(0.37);
   for (const double part : {0.98, 1.02}) {
     World world({{"friction", "0.37"}});
@@ -103,7 +103,8 @@ TEST_P(DirectionTest, WhatRestsHoldsUntilCoulombsLimit) {
 INSTANTIATE_TEST_SUITE_P(Sixteen, DirectionTest, testing::Range(7.0, 367.0, 22.5));
 
 TEST(FrictionTest, AlongASmoothWallARobotIsAsFastAsItsTreelsAlongIt) {
-  // the wall pushes squarely, through the robot's axis; so must friction, and the slip, which is what is missing there
+  // the wall pushes squarely, through the robot's axis; so must friction, and the slip, the missing speed in that
+  // direction
   for (const double degrees : {55.0, 63.0, 71.0}) {
     World world({{"friction", "0"}, {"treel_friction", "0.4"}});
     const double across = degrees * kDegree;  // from straight at the wall

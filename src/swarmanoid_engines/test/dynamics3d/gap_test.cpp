@@ -1,4 +1,4 @@
-// A gap that one footbot falls into, and a chain of five passes: whoever is over it hangs on the others.
+// A gap that one footbot falls into and a chain of five crosses: robots over the gap hang on the others.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -12,7 +12,7 @@ namespace {
 constexpr double kEdge = 3.0;     // m, where the near platform ends
 constexpr double kReach = 0.195;  // m, from a footbot to the next in a chain
 
-/// Footbots one behind the other on a platform, all driving towards the gap; each grips the one before it.
+/// Footbots one behind the other on a platform, all driving towards the gap; each grips the robot before it.
 struct Chain {
   Chain(int count, double gap) : world({{"ground_height", "-0.5"}}) {
     world.addBlock({4.0, 1.0, 0.4}, 0.0, flatPose(kEdge - 2.0, 2.0, 0.0, -0.2));
@@ -24,7 +24,7 @@ struct Chain {
     world.step();
   }
 
-  /// Drives as far as takes all of them across. @return the lowest that any of them was [m]
+  /// Drives far enough for all of them to cross. @return lowest height of any of them [m]
   double drive(double gap) {
     for (const Row row : footbots) {
       world.drive(row, 0.1);

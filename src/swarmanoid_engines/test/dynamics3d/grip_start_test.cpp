@@ -1,4 +1,4 @@
-// A grip that is closed at once holds as much as one that is closed later: nobody is under load who only stands there.
+// A grip that closes at once holds as much as a later one: a robot that only stands there puts no load on it.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -12,7 +12,7 @@ struct Start {
   int tick;           // ms
   int wait;           // ticks, until the gripper is closed
   bool has_turret;    // device
-  bool is_handed_on;  // out of the engine and into it again when it is closed
+  bool is_handed_on;  // removed from the engine and added again when it is closed
 };
 
 /// A footbot that stands before a prey and closes its gripper, in steps of 10 ms.

@@ -1,4 +1,4 @@
-// Grips as rigid joints: who can be gripped, how hard, and what many grippers do together.
+// Grips as rigid joints: which bodies can be gripped, how strongly, and what many grippers do together.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -194,7 +194,7 @@ TEST(GrippingTest, WhatPushesOnAfterTheGripBrokeDoesNotComeIn) {
   }
 }
 
-/// A footbot and a prey of its weight that turn around each other without weight, the one gripping the other.
+/// A footbot and a prey of its weight that turn around each other without gravity, joined by a grip.
 /// @return whether the grip lasts
 bool holdsAgainst(double force) {
   constexpr double kDistance = 0.21;  // m

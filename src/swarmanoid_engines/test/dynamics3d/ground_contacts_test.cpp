@@ -1,4 +1,4 @@
-// Contacts with rough ground, where geometry says that they are; rays, against ODE's own heightfield.
+// Contacts with rough ground, against geometry; rays, against ODE's own heightfield.
 #include "dynamics3d/ground_contacts.hpp"
 
 #include <gtest/gtest.h>
@@ -163,7 +163,7 @@ class OdeHeightfield {
   OdeHeightfield(const OdeHeightfield&) = delete;
   OdeHeightfield& operator=(const OdeHeightfield&) = delete;
 
-  /// The nearest contact with a ray; more than its length if there is none.
+  /// Distance to the nearest hit of a ray; more than its length if there is none.
   double distance(const Segment& segment) const {
     const Vector3d way = segment.to - segment.from;
     const dGeomID ray = dCreateRay(nullptr, way.norm());

@@ -1,4 +1,4 @@
-// What ropes and hands hold: both ends feel it, and it is let go when one of them is taken away.
+// Grips of ropes and hands: both ends feel the force, and a grip ends when one of them is removed.
 #include <gtest/gtest.h>
 
 #include "handbot_world.hpp"
@@ -13,7 +13,7 @@ struct Momentum {
   Vector3d angular = Vector3d::Zero();  // about the origin of W [N m s]
 };
 
-/// Of an entity without arms.
+/// Momentum of an entity without arms.
 Momentum momentumOf(const World& world, Row row) {
   const EntityModel& model = *world.space.entities.model[row];
   const Pose& pose = world.pose(row);
@@ -28,7 +28,7 @@ Momentum momentumOf(const World& world, Row row) {
 
 TEST(HoldingTest, ARopePullsBothEndsAlike) {
   HandbotWorld world({{"gravity", "0"}, {"ground", "false"}});
-  // beside the ceiling, afloat, the block not quite above the rope's launcher
+  // beside the ceiling and without gravity, the block not quite above the rope's launcher
   const Row robot = world.addRobot<HandbotRope>(robotModel("handbot"), flatPose(8.0, 8.0, 0.0, 0.2));
   const Row block = world.add(blockModel({0.4, 0.3, 0.2}, 5.0, true), flatPose(8.0, 8.05, 0.0, 1.6));
   world.rope(robot).shot = true;
@@ -84,7 +84,7 @@ TEST(HoldingTest, WhatIsTakenAwayIsHeldByNobody) {
   ASSERT_EQ(world.held(robot, kRightHand).held, box);
   world.remove(box);
   world.remove(world.ceiling);
-  // what comes in its place is another thing, and the rope was not called back
+  // the new ceiling is another entity, and the rope was not called back
   world.ceiling = world.add(blockModel({5.0, 5.0, 0.1}, 0.0, true), flatPose(2.5, 2.5, 0.0, kCeiling + 0.05));
   world.step(20);
   EXPECT_FALSE(world.space.attachments.isAttached(robot));

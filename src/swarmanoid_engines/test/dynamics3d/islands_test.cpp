@@ -1,4 +1,4 @@
-// Large islands are reported, and do not change how others move.
+// Large islands are reported, and do not change the motion of other bodies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A footbot that pushes a block along, and far away footbots that are pressed into a corner.
+/// A footbot that pushes a block along, and, far away, footbots pressed into a corner.
 struct PushBesideCrowd {
   explicit PushBesideCrowd(int side) {
     block = world.addBlock({0.2, 0.4, 0.2}, 1.3, flatPose(7.23, 8.0, 0.0, 0.1));
@@ -48,7 +48,7 @@ TEST(IslandsTest, ALargeCrowdIsReportedOnce) {
   EXPECT_EQ(scene.reports, 1);
   for (const Row row : scene.crowd) {
     const Pose& pose = scene.world.pose(row);
-    EXPECT_GT(pose.position.head<2>().minCoeff(), 0.08);  // a footbot's radius, less what it leans on the wall
+    EXPECT_GT(pose.position.head<2>().minCoeff(), 0.08);  // a footbot's radius, minus its lean on the wall
     EXPECT_NEAR(pose.position.z(), 0.0, 2e-3);
     EXPECT_LT(tiltOf(pose), 0.05);
     EXPECT_LT(scene.world.twist(row).linear.norm(), 0.3);

@@ -1,4 +1,4 @@
-// Nothing depends on the axes of W: what is turned runs the same, turned.
+// Results do not depend on the axes of W: a turned world behaves the same, turned.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// Places things as if the world were turned about (5, 5).
+/// Places entities as if the world were turned about (5, 5).
 class Turned {
  public:
   explicit Turned(double angle) : turn_(Eigen::AngleAxisd(angle, Vector3d::UnitZ())) {}
@@ -47,7 +47,7 @@ TEST(IsotropyTest, APreyThatIsPushedDeadCentreGoesStraightOn) {
   }
 }
 
-/// Experiments of 20 s that no small error makes into others.
+/// Experiments of 20 s in which small errors stay small.
 struct Scene {
   const char* name;
   std::function<void(World&, const Turned&)> make;
@@ -118,7 +118,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, TurnedTest,
                                          Scene{"StandOnASlope", standOnASlope}),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
-/// A prey on a slope of wood, or on level ground that is a slope: gravity's direction against its foot decides.
+/// A prey on a slope of wood, or on level ground that is a slope: the direction of gravity relative to its foot
+/// decides.
 TEST(TopplingTest, APreyFallsWhenTheVerticalLeavesItsFoot) {
   constexpr double kRadius = 0.06;  // m
   constexpr double kHeight = 0.4;   // m

@@ -1,4 +1,4 @@
-// Crowds that press: no robot leaves the room, none is deep in another, none climbs over another.
+// Crowds under pressure: no robot leaves the room, none is deep in another, none climbs over another.
 #include "../jam.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 using namespace jam;
 
 constexpr double kInWall = 6e-4;      // m
-constexpr double kInOthers = 1.5e-3;  // m: what the pages promise of crowds
+constexpr double kInOthers = 1.5e-3;  // m: the limit for crowds in the documentation
 
 class JamTest : public testing::TestWithParam<JamCase> {};
 

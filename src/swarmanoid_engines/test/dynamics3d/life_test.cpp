@@ -1,4 +1,4 @@
-// What the engine refuses, and what comes and goes between ticks.
+// Entities that the engine refuses, and changes between ticks.
 #include <gtest/gtest.h>
 
 #include "dynamics3d/convex_overlap.hpp"
@@ -83,7 +83,7 @@ TEST(LifeTest, TouchingIsNoOverlap) {
   EXPECT_EQ(at(cylinder, 2.0, 2.0, 0.19999), block);
   EXPECT_EQ(at(cylinder, 2.3, 2.0, 0.0), kNoRow);
   EXPECT_EQ(at(cylinder, 2.29999, 2.0, 0.0), block);
-  EXPECT_EQ(at(cylinder, 2.0, 2.0, 0.05), block);  // quite within it
+  EXPECT_EQ(at(cylinder, 2.0, 2.0, 0.05), block);  // entirely within it
   EXPECT_EQ(world.engine.overlap(*cylinder, flatPose(2.0, 2.0), block), kNoRow);
 }
 
@@ -108,7 +108,7 @@ TEST(LifeTest, OverlapIsThatOfSolids) {
     ASSERT_EQ(modelsOverlap(b, pose_b, a, pose_a), overlap);
     overlapping += overlap ? 1 : 0;
     for (int k = 0; k < 60 && !overlap; ++k) {
-      // a segment of no length meets a solid if it is inside
+      // a segment of no length hits a solid if it is inside
       const Vector3d point = pose_a.position + 0.4 * Vector3d(random(), random(), random());
       ASSERT_FALSE(closestHit({point, point}, a, pose_a) <= 1.0 && closestHit({point, point}, b, pose_b) <= 1.0);
     }

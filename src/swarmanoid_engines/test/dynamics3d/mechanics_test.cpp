@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Both tilted by an angle towards a direction, as an experiment file would have it.
+/// Slope and block, both tilted by an angle towards a direction, as in an experiment file.
 struct BlockSlope : Slope {
   BlockSlope(double angle, double direction, World::Values values) : Slope(std::move(values)) {
     const Eigen::Quaterniond tilt = Eigen::AngleAxisd(direction, Vector3d::UnitZ()) *
@@ -30,7 +30,7 @@ TEST_P(SlopeTest, ABlockSlidesFromTheFrictionAngleOn) {
 INSTANTIATE_TEST_SUITE_P(Directions, SlopeTest, testing::Values(0.0, 90.0, 180.0, 30.0, 45.0, -60.0));
 
 TEST(MechanicsTest, ACylinderLiesOnItsSide) {
-  // on level ground and on a block, at any heading: its axis is its radius high
+  // on level ground and on a block, at any heading: the height of its axis is its radius
   constexpr double kRadius = 0.073;  // m
   constexpr double kHeight = 0.21;   // m
   for (const double heading : {0.0, 0.7, 2.9}) {
@@ -76,7 +76,7 @@ TEST(MechanicsTest, AThrownBlockFollowsAParabola) {
     world.step();
     const double t = 0.1 * i;
     const Vector3d expected(1.0 + 2.0 * t, 1.0 + t, 1.0 + 4.0 * t - 0.5 * kGravity * t * t);
-    // the integrator's own error is known: half a step of the velocity that was gained
+    // the integrator's own error is known: half a step times the gain in velocity
     const Vector3d error(0.0, 0.0, -0.5 * kGravity * t * step);
     ASSERT_LT((world.pose(block).position - expected - error).norm(), 1e-9);
     ASSERT_LT((world.twist(block).linear - Vector3d(2.0, 1.0, 4.0 - kGravity * t)).norm(), 1e-9);
@@ -100,7 +100,7 @@ TEST(MechanicsTest, AFreeBodyKeepsItsAngularMomentum) {
   EXPECT_LT((world.pose(block).position - Vector3d(1.0, 1.0, 1.0)).norm(), 1e-9);
 }
 
-/// Two blocks without weight run into each other.
+/// Two blocks without gravity collide.
 struct Collision {
   explicit Collision(const char* restitution)
       : world({{"ground", "false"}, {"gravity", "0"}, {"restitution", restitution}}) {
@@ -192,7 +192,7 @@ TEST(MechanicsTest, ATallBlockTopplesOnASlopeThatHoldsALowOne) {
     world.step(10);
     return world.pose(block).orientation.angularDistance(tilt) > 0.5;
   };
-  EXPECT_FALSE(falls(0.2));  // the vertical through its centre meets its base: tan 20 < 0.1 / 0.2
+  EXPECT_FALSE(falls(0.2));  // the vertical through its centre goes through its base: tan 20 < 0.1 / 0.2
   EXPECT_TRUE(falls(0.4));
 }
 

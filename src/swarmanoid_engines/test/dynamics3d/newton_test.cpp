@@ -1,5 +1,4 @@
-// Islands of few bodies: momentum is balanced, contacts only push, and friction is Coulomb's, whatever the contacts
-// are.
+// Islands of few bodies: momentum is balanced, contacts only push, and friction is Coulomb's, for any contacts.
 #include "dynamics3d/newton.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +68,7 @@ class RandomIsland {
   std::mt19937 random_;
 };
 
-/// What is left of momentum at the velocities and impulses of a solution [m/s].
+/// Residual of the momentum balance at the velocities and impulses of a solution [m/s].
 double momentumError(const RandomIsland& island) {
   double error = 0.0;
   for (std::size_t i = 1; i < island.movers.size(); ++i) {
@@ -87,7 +86,7 @@ double momentumError(const RandomIsland& island) {
   return error;
 }
 
-/// Whether contacts only push, and only bodies that do not open.
+/// Expects that contacts only push, and only where they do not open.
 void expectContactsPush(const RandomIsland& island) {
   for (const ContactRow& row : island.rows) {
     const double missing = row.wanted.x() - velocityAt(row, island.movers[row.a], island.movers[row.b]).x() -
@@ -110,7 +109,7 @@ bool isCoulombs(const ContactRow& row, const std::vector<Mover>& movers) {
 }
 
 TEST(NewtonTest, SolutionsObeyCoulombsLaw) {
-  // Coulomb's law need not have a solution (Painleve); such islands are left with friction that alternates
+  // Coulomb's law need not have a solution (Painleve); in such islands friction alternates
   constexpr int kIslands = 2000;
   Newton newton;
   newton.reserve();
@@ -134,7 +133,8 @@ TEST(NewtonTest, SolutionsObeyCoulombsLaw) {
 }
 
 TEST(NewtonTest, ABlockThatIsPushedTipsWhereAHandComputationSaysSo) {
-  // 0.2 m wide, 0.6 m high, on two contacts that do not slip: it tips where the push's moment exceeds half its width's
+  // 0.2 m wide, 0.6 m high, on two contacts that do not slip: tips if the push's moment exceeds the weight times half
+  // the width
   constexpr double kStep = 0.01;
   constexpr double kMass = 1.7;
   constexpr double kGravity = 9.81;

@@ -1,4 +1,4 @@
-// What footbots push and pull, and how hard.
+// Loads that footbots push and pull, and their forces.
 #include <gtest/gtest.h>
 
 #include "world.hpp"
@@ -8,10 +8,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTraction = 0.9 * 1.8 * kGravity;  // N, of a footbot whose treels do not slip yet
+constexpr double kTraction = 0.9 * 1.8 * kGravity;  // N, limit of a footbot before its treels slip
 constexpr double kFront = 0.11;                     // m, from a footbot's centre to its gripper's tip
 
-/// A footbot at (2, 2) that drives at a block.
+/// A footbot at (2, 2) that drives against a block.
 struct Push {
   explicit Push(double mass, int ticks = 60, const char* subclock = "10")
       : world({{"friction", "0.5"}, {"subclock", subclock}}) {
@@ -35,7 +35,7 @@ TEST(PushingTest, ALightBlockIsPushedAtTheCommandedSpeed) {
 }
 
 TEST(PushingTest, TheSlipLimitIsTheFrictionOfTheTreels) {
-  // what resists is 0.5 of the block's weight
+  // the resistance is 0.5 of the block's weight
   const double limit = kTraction / (0.5 * kGravity);  // kg
   const Push below(0.95 * limit);
   EXPECT_GT(below.blockMoved(), 0.4);
@@ -70,7 +70,7 @@ TEST(PushingTest, TwoFootbotsPushMoreThanOne) {
 /// Robots side by side that push a block together.
 struct Team {
   int robots;
-  double share;    // of what all their treels hold: the block's friction
+  double share;    // friction of the block, as a share of the traction of all treels
   double heading;  // rad
 };
 
@@ -116,7 +116,7 @@ TEST(PushingTest, ThePushedBodiesNeverSinkIntoEachOther) {
 }
 
 TEST(PushingTest, StandingFootbotsResistAsTheyAreBraked) {
-  // without a command the treels do not turn; across, they do not roll anyway
+  // without a command the treels do not turn; sideways they do not roll anyway
   World world;
   const Row pusher = world.addFootbot(flatPose(2.0, 2.0));
   world.addFootbot(flatPose(2.0 + kFront + 0.09, 2.0, M_PI / 2.0));

@@ -1,4 +1,4 @@
-// Boxes on tilted boxes: they rest within the friction angle, and slide as Newton and Coulomb have it beyond.
+// Boxes on tilted boxes: they rest within the friction angle, and beyond it slide as by Newton and Coulomb.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -33,7 +33,7 @@ class Ramps {
   double within(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   int pick(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
 
-  /// @param angle of the ramp; @param heading towards which it falls; @param turn of the box on it [rad]
+  /// @param angle of the ramp; @param heading of its descent; @param turn of the box on it [rad]
   void add(double angle, double heading, double turn, const Vector3d& ramp, const Vector3d& box, double mass,
            const Eigen::Vector2d& place) {
     constexpr double kApart = 4.0;  // m
@@ -58,7 +58,7 @@ class Ramps {
   std::mt19937_64 random_;
 };
 
-/// Of the box on the ramp: as the ramp, by quarter turns, and anyhow [rad].
+/// Turn of the box relative to the ramp: a quarter turn or any angle [rad].
 double turnOnRamp(Ramps& ramps) {
   return ramps.pick(3) == 0 ? ramps.within(0.0, 2.0 * M_PI) : 0.5 * M_PI * ramps.pick(4);
 }

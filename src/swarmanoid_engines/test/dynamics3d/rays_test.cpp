@@ -1,4 +1,4 @@
-// Rays hit the shapes as they are.
+// Rays hit the shapes at their poses.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_space/rays/solid_ray.hpp"
@@ -48,14 +48,14 @@ TEST(RaysTest, AMirrorIsHitInTheEngineThatMovesIt) {
   World world;
   World mover;
   const Row mirror = world.add(cylindricPreyModel(0.1, 0.2), flatPose(2.0, 2.0), Role::kMirror);
-  EXPECT_EQ(world.castRay({1.0, 2.0, 0.1}, {3.0, 2.0, 0.1}).row, mirror);  // nobody moves it
+  EXPECT_EQ(world.castRay({1.0, 2.0, 0.1}, {3.0, 2.0, 0.1}).row, mirror);  // no engine moves it
   world.space.mover[mirror] = &mover.engine;
   world.step();
   EXPECT_EQ(world.castRay({1.0, 2.0, 0.1}, {3.0, 2.0, 0.1}).row, kNoRow);
 }
 
 TEST(RaysTest, LookingOnlyAtWhatIsNearLosesNothing) {
-  // against every entity, one by one
+  // against a test of every entity
   World world;
   std::srand(5);
   const auto random = [] { return std::rand() / (RAND_MAX + 1.0); };

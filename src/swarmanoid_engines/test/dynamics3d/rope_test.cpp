@@ -1,4 +1,4 @@
-// The rope of handbots: shot, wound, slack, swung, torn; against what physics says of it.
+// The rope of handbots: shot, wound, slack, swung, torn; against the predictions of physics.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 const Vector3d kLauncher = robotModel("handbot")->mount("rope_launcher").position;
 
-/// Shoots the rope, winds the robot off the ground to this height, and waits.
+/// Shoots the rope, winds the robot up to this height, and waits.
 Row hang(HandbotWorld& world, double height) {
   const Row robot = world.addHandbot(flatPose(2.0, 2.0));
   world.rope(robot).shot = true;
@@ -73,7 +73,7 @@ TEST(RopeTest, TooShortARopeMeetsNothing) {
 }
 
 TEST(RopeTest, TensionOfAHangingHandbotIsItsWeight) {
-  HandbotWorld world({{"rope_drag", "5"}});  // without it the swing that began with the winding would never end
+  HandbotWorld world({{"rope_drag", "5"}});  // without drag, the swing that the winding starts would never end
   const Row robot = hang(world, 0.5);
   const double weight = robotModel("handbot")->mass * kGravity;
   EXPECT_GT(world.pose(robot).position.z(), 0.45);
@@ -83,7 +83,7 @@ TEST(RopeTest, TensionOfAHangingHandbotIsItsWeight) {
   EXPECT_NEAR(world.pose(robot).position.z(), before, 2e-3);
 }
 
-/// 16 footbots that drive to the middle of a square lattice. @param distance of neighbours, in the lattice [m]
+/// 16 footbots on a square lattice that drive to its middle. @param distance of neighbours in the lattice [m]
 void addFootbots(HandbotWorld& world, double distance) {
   for (int i = 0; i < 16; ++i) {
     const Vector3d place(distance * (i % 4 - 1.5), distance * (i / 4 - 1.5), 0.0);
@@ -92,7 +92,7 @@ void addFootbots(HandbotWorld& world, double distance) {
 }
 
 TEST(RopeTest, CarriesBesideACrowdAsBesideRobotsApart) {
-  // a crowd has a solution of its own in each step, in which the handbot has no part
+  // a crowd has its own solution in each step, without the handbot
   HandbotWorld apart;
   HandbotWorld pressed;
   addFootbots(apart, 2.0);
@@ -126,7 +126,7 @@ TEST(RopeTest, WindsAsFastAsItIsTold) {
 TEST(RopeTest, NeverPushes) {
   HandbotWorld world;
   const Row robot = hang(world, 0.2);
-  // wound out, it lowers the robot to the ground; then it is slack and lets it stand
+  // unwinding lowers the robot to the ground; then the rope is slack and lets it stand
   world.rope(robot).winding_speed = -0.2;
   world.step(40);
   EXPECT_NEAR(world.pose(robot).position.z(), 0.0, 2e-3);
@@ -185,7 +185,7 @@ TEST(RopeTest, SwingsAsACompoundPendulumDoes) {
 }
 
 TEST(RopeTest, IsTornOffAtTheStatedForce) {
-  // wound up with something heavy in the way: the motor gives 60 N
+  // wound up against a heavy obstacle: the motor gives 60 N
   const double weight = robotModel("handbot")->mass * kGravity;
   HandbotWorld strong({{"rope_strength", std::to_string(1.05 * weight)}});
   const Row holds = hang(strong, 0.3);
@@ -204,7 +204,7 @@ TEST(RopeTest, IsTornOffAtTheStatedForce) {
   EXPECT_EQ(text.rfind("rope: torn off: pulled with more than ", 0), 0U) << text;
   EXPECT_FALSE(weak.space.attachments.isAttached(falls));
   weak.step(50);
-  EXPECT_FALSE(weak.space.attachments.isAttached(falls));  // until it was called back
+  EXPECT_FALSE(weak.space.attachments.isAttached(falls));  // until it is called back
 }
 
 }  // namespace

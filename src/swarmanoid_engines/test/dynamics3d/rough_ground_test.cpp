@@ -1,4 +1,4 @@
-// What moves on rough ground: Coulomb's and Newton's laws on its slopes, footbots, holes, long runs.
+// Motion on rough ground: Coulomb's and Newton's laws on slopes, footbots, holes, long runs.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 double flat(double, double) { return 0.0; }
 
-/// A footbot's pitch: how far its x axis points up [rad].
+/// Pitch of a footbot: angle of its x axis above the horizontal [rad].
 double pitchOf(const Pose& pose) { return std::asin((pose.orientation * Vector3d::UnitX()).z()); }
 
 /// A terrain that is a tilted plane.
@@ -104,7 +104,7 @@ TEST(RoughGroundTest, BeyondTheFrictionAngleTreelsSlip) {
 
 TEST(RoughGroundTest, AFootbotFallsIntoAHoleAndStaysInIt) {
   World world;
-  // 0.4 m deep, with walls as steep as a cell
+  // 0.4 m deep, with walls one cell wide
   world.setTerrain(terrainOf(
       [](double x, double y) { return std::max(std::abs(x - 5.0), std::abs(y - 5.0)) < 0.35 ? -0.4 : 0.0; }, 0.05));
   const Row footbot = world.addFootbot(flatPose(4.3, 5.0));
@@ -203,7 +203,7 @@ TEST(RoughGroundTest, WhatItHasCarriedItDoesNotRefuse) {
   world.setTerrain(terrainOf([](double x, double y) { return 0.03 * std::sin(12.0 * x) * std::cos(9.0 * y); }, 0.05));
   const Row footbot = world.addFootbot(flatPose(4.4, 5.0, 0.0, 0.05));
   world.drive(footbot, 0.1);
-  world.step(3);  // a fall presses its soft balls in for some 70 ms
+  world.step(3);  // after a fall, its soft balls are compressed for some 70 ms
   for (int tick = 0; tick < 100; ++tick) {
     world.step();
     ASSERT_EQ(world.engine.invalidPoseReason(*robotModel("footbot"), world.pose(footbot)), "") << "tick " << tick;
@@ -250,7 +250,7 @@ struct RoughCrowd {
         ASSERT_TRUE(position.allFinite() && twist.linear.allFinite() && twist.angular.allFinite());
         ASSERT_LT(twist.linear.norm(), 2.5) << "entity " << toIndex(row) << ", tick " << tick;
         ASSERT_LT(twist.angular.norm(), 40.0) << "entity " << toIndex(row) << ", tick " << tick;
-        // the origin is at the bottom, in or on the surface, or above it if the body lies on its side
+        // the origin is at the bottom: in or on the surface, or above it if the body lies on its side
         ASSERT_GT(position.z(), terrain->heightAt(position.x(), position.y()) - 0.02)
             << "entity " << toIndex(row) << ", tick " << tick;
         ASSERT_LT(position.z(), 0.5) << "entity " << toIndex(row) << ", tick " << tick;

@@ -1,4 +1,4 @@
-/// A block on a slope, which slides from the friction angle on, whatever the slope is made of.
+/// A block on a slope of any kind, which slides from the friction angle on.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@ namespace swarmanoid::dynamics3d {
 
 struct Slope {
   explicit Slope(World::Values values) : world(std::move(values)) {}
-  /// The block touches the slope, tilted as it is. @param across unit vector along the ground, towards which it falls
+  /// Puts the block onto the slope, with the slope's tilt. @param across horizontal unit vector in the direction of
+  /// descent
   void putBlock(const Eigen::Vector3d& on_slope, const Eigen::Quaterniond& tilt, const Eigen::Vector3d& across) {
     down = tilt * across;
     block = world.addBlock({0.2, 0.2, 0.1}, 1.0, {on_slope + tilt * Eigen::Vector3d(0.0, 0.0, 0.05), tilt});
@@ -23,8 +24,8 @@ struct Slope {
   Row block = kNoRow;
 };
 
-/// Stays at 0.97 of the friction angle, and slides at 1.03 of it as Newton and Coulomb have it.
-/// @param direction [rad]; @param most_creep in 5 s of staying [m]; @param most_sideways of the way it slides
+/// Expects that the block stays at 0.97 of the friction angle, and slides at 1.03 of it as by Newton and Coulomb.
+/// @param direction [rad]; @param most_creep in 5 s of staying [m]; @param most_sideways part of the way that it slides
 template <class Made>
 void expectToSlideFromTheFrictionAngleOn(double direction, double most_creep, double most_sideways) {
   const double friction_angle = std::atan(0.5);

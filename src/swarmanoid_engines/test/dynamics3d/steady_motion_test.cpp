@@ -1,4 +1,4 @@
-// What goes on as it did is moved without ODE: as ODE would have moved it, and only while nobody is near.
+// Bodies in steady motion are moved without ODE: as by ODE, and only without neighbours.
 #include "dynamics3d/steady_motion.hpp"
 
 #include <gtest/gtest.h>

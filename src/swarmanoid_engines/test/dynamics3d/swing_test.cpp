@@ -1,4 +1,4 @@
-// Who swings on a rope keeps the energy of the swing, as there is nothing that would take it; or loses what is said.
+// A swinging robot keeps the energy of its swing, since nothing takes it; with drag, it loses the stated part.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -19,15 +19,15 @@ constexpr double kStep = 0.01;  // s
 
 struct Swing {
   double length;         // m, of the rope
-  double amplitude;      // rad, of rope and robot, which begin in line
-  double azimuth;        // rad, where it begins
-  double push;           // m/s, of the launcher, across to the swing
+  double amplitude;      // rad, of rope and robot, which start in line
+  double azimuth;        // rad, direction of the start
+  double push;           // m/s, of the launcher, across the swing
   ArmAngles left;        // of the left arm; the right one is stretched ahead
-  double lean = 0.0;     // rad, by which the body is turned out of the rope's line
-  bool has_arms = true;  // that motors hold; otherwise it is one rigid body
+  double lean = 0.0;     // rad, of the body out of the rope's line
+  bool has_arms = true;  // held by motors; otherwise one rigid body
 };
 
-/// A handbot on a rope, out of its rest.
+/// A handbot on a rope, displaced from rest.
 class SwingingHandbot {
  public:
   explicit SwingingHandbot(const Swing& swing, World::Values values = {})
@@ -53,7 +53,7 @@ class SwingingHandbot {
     const Eigen::AngleAxisd lean(swing.lean, Vector3d(0.3, 0.9, 0.2).normalized());
     pose.orientation = Quaterniond::FromTwoVectors(arm, down) * lean;
     pose.position = anchor + swing.length * down - pose.orientation * launcher;
-    // all of it turns about the anchor
+    // the whole robot turns about the anchor
     const Vector3d turning = swing.push / swing.length * down.cross(about * Vector3d::UnitY());
     world.twist(robot) = {turning.cross(pose.position - anchor), turning};
     const Attachment rope{world.ceiling, anchor - world.pose(world.ceiling).position, swing.length, 0.0};
@@ -71,7 +71,8 @@ class SwingingHandbot {
     world.engine.add(world.space, robot, Role::kMove);
   }
 
-  /// Kinetic and potential, above that of hanging at rest [J]. Velocities are those of the middle of the last step.
+  /// Kinetic and potential energy, above that of hanging at rest [J]. Velocities are those of the middle of the last
+  /// step.
   double energy() const {
     const EntityModel& model = *robotModel("handbot");
     const Pose& pose = world.pose(robot);
@@ -94,7 +95,7 @@ class SwingingHandbot {
 
   HandbotWorld world;
   Row robot;
-  double radius = 0.0;  // m, from the anchor to the centre of mass of the robot that hangs still
+  double radius = 0.0;  // m, from the anchor to the centre of mass of the robot that hangs at rest
 
  private:
   Vector3d centreOfMass() const {
@@ -142,7 +143,7 @@ TEST_P(SwingEnergyTest, IsKept) {
 class WideSwingTest : public testing::TestWithParam<Swing> {};
 
 TEST_P(WideSwingTest, KeepsItsEnergyThoughTheBodySwings) {
-  // nothing takes any: means of the first and the last 3 s of 40 s, in steps of 10 ms
+  // nothing takes energy: means of the first and the last 3 s of 40 s, in steps of 10 ms
   SwingingHandbot handbot(GetParam(), {{"rope_strength", "1000"}});
   double at_first = 0.0;
   double at_last = 0.0;
@@ -165,10 +166,10 @@ INSTANTIATE_TEST_SUITE_P(Swings, WideSwingTest,
                                          Swing{1.82, 19.0 * kDegree, 1.9, 0.0, {0.3, -0.7, 0.0}, 53.0 * kDegree, true},
                                          Swing{0.78, 11.0 * kDegree, 2.7, 0.0, {}, 23.0 * kDegree, true}));
 
-/// What is left of the energy after some seconds if the rope's drag brakes a small swing in the plane of the arms.
+/// Remaining share of the energy after some seconds, if the rope's drag brakes a small swing in the plane of the arms.
 double expectedShare(const Swing& swing, double drag, double seconds) {
-  // Rope and stiff robot, the angles a and b against the vertical: m L2 a'' + m L d b'' + m g L a = -drag L2 a',
-  // m L d a'' + (I + m d2) b'' + m g d b = 0. Both angles begin alike; each of the two modes dies away for itself.
+  // Rope and stiff robot, with angles a and b from the vertical: m L2 a'' + m L d b'' + m g L a = -drag L2 a', m L d
+  // a'' + (I + m d2) b'' + m g d b = 0. Both angles start equal; each of the two modes decays separately.
   const EntityModel& model = *robotModel("handbot");
   const double m = model.mass;
   const double d = (model.centre_of_mass - model.mount("rope_launcher").position).norm();

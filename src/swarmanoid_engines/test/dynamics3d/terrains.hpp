@@ -10,7 +10,8 @@
 
 namespace swarmanoid::dynamics3d {
 
-/// A square around (5, 5). @param height of places in W [m]; @param cell about so long [m]; @param half of its side [m]
+/// A square around (5, 5). @param height of places in W [m]; @param cell approximate length of a cell [m]; @param half
+/// of its side [m]
 inline std::shared_ptr<const Terrain> terrainOf(const std::function<double(double x, double y)>& height, double cell,
                                                 double half = 1.0) {
   const int cells = static_cast<int>(std::lround(2.0 * half / cell));

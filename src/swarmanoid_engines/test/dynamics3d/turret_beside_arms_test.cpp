@@ -1,4 +1,4 @@
-// A robot with arms and a turret, all commanded: the turret is a link as those of the arms.
+// A robot with arms and a turret, all commanded: the turret is a link like those of the arms.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -48,7 +48,7 @@ TEST(TurretBesideArmsTest, BothGoWhereTheyAreCommanded) {
   EXPECT_NEAR(world.space.joints[world.robot][kElbow].angle, 0.5, 1e-3);
 }
 
-/// A turret without load turns as fast as it is commanded; a link has an inertia: 0.001 N m make 0.1 rad/s2 of it.
+/// A turret without load turns at the commanded speed; a link has an inertia: 0.001 N m give it 0.1 rad/s2.
 TEST(TurretBesideArmsTest, ItsMotorAcceleratesItsLink) {
   MastWorld world(0.001, {JointCommand::Mode::kSpeed, 1.5});
   world.step(10);

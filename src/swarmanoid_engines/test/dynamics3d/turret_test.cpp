@@ -1,4 +1,4 @@
-// Turrets in three dimensions: hinges with motors under what is held.
+// Turrets in three dimensions: hinges with motors between robots and their loads.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kArm = 0.22;  // m from a footbot's centre to that of a prey that it holds
+constexpr double kArm = 0.22;  // m from a footbot's centre to that of a gripped prey
 
 /// A footbot with a turret at (2, 2), closed on a prey ahead.
 struct Holder {
@@ -52,7 +52,7 @@ TEST(TurretTest, TheGripperCatchesWhereItIsTurned) {
   for (const double angle : {0.0, M_PI / 2.0}) {
     World world;
     const Row footbot = world.addTurret(flatPose(2.0, 2.0));
-    world.addBlock({0.1, 0.1, 0.2}, 0.0, flatPose(2.3, 2.15, 0.0, 0.1));  // in the way of a gripper turned left only
+    world.addBlock({0.1, 0.1, 0.2}, 0.0, flatPose(2.3, 2.15, 0.0, 0.1));  // blocks only a gripper that is turned left
     world.turret(footbot).holdAngle(angle);
     world.step(6);
     world.drive(footbot, 0.1);
@@ -93,7 +93,7 @@ TEST(TurretTest, WithoutLoadItStopsBeforeWhatIsInTheWay) {
 }
 
 TEST(TurretTest, WithoutLoadItStopsBeforeWhatWasPutThere) {
-  // the gripper would meet it in the first step
+  // the gripper would touch it in the first step
   const auto turned = [](bool is_put_there) {
     World world;
     const Row footbot = world.addTurret(flatPose(2.0, 2.0, 0.92));
@@ -114,7 +114,7 @@ TEST(TurretTest, WithoutLoadItStopsBeforeWhatWasPutThere) {
 TEST(TurretTest, ALightLoadTurnsAroundTheRobot) {
   Holder holder(0.3);
   ASSERT_TRUE(holder.isHolding());
-  holder.turret().turnAt(0.5);  // the treels hold against what brings it up to that
+  holder.turret().turnAt(0.5);  // the treels hold against the torque that accelerates it
   holder.world.step(20);
   EXPECT_NEAR(holder.state().angle, 1.0, 0.01);
   EXPECT_NEAR(holder.heading(), 0.0, 0.02);
@@ -136,7 +136,7 @@ TEST(TurretTest, AHeavyLoadTurnsTheRobotTheOtherWay) {
 }
 
 TEST(TurretTest, SlipsBeyondItsTorqueAndHoldsBelow) {
-  // what treels that slip turn the robot with, as a turret feels it that no treel can turn
+  // torque of slipping treels on the robot, measured by a turret that no treel can turn
   Holder strong(100.0, footbotOfTorque(100.0));
   strong.world.drive(strong.footbot, 0.0, 1.0);
   strong.world.step(20);
@@ -159,7 +159,7 @@ TEST(TurretTest, SlipsBeyondItsTorqueAndHoldsBelow) {
 }
 
 TEST(TurretTest, ItsTorqueTurnsLoadsAsNewtonSays) {
-  // afloat, the motor turns robot and load against each other
+  // without gravity and ground, the motor turns robot and load against each other
   constexpr double kTorque = 0.004;  // N m
   constexpr double kMass = 2.0;
   Holder holder(kMass, footbotOfTorque(kTorque), {{"gravity", "0"}, {"ground", "false"}}, 0.5);

@@ -21,13 +21,13 @@ inline Pose flatPose(double x, double y, double heading = 0.0, double z = 0.0) {
   return {{x, y, z}, Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()))};
 }
 
-/// About z, of what may be tilted [rad].
+/// Heading about z, of bodies that may be tilted [rad].
 inline double headingOf(const Pose& pose) {
   const Eigen::Vector3d ahead = pose.orientation * Eigen::Vector3d::UnitX();
   return std::atan2(ahead.y(), ahead.x());
 }
 
-/// How far the body's z axis is from upright [rad].
+/// Angle of the body's z axis from the vertical [rad].
 inline double tiltOf(const Pose& pose) {
   const Eigen::Vector3d up = pose.orientation * Eigen::Vector3d::UnitZ();
   return std::atan2(std::hypot(up.x(), up.y()), up.z());
@@ -48,7 +48,7 @@ class World {
     space.engines.push_back(&engine);
   }
 
-  /// Before anything is added.
+  /// Must be called before entities are added.
   void setTerrain(std::shared_ptr<const Terrain> terrain) {
     space.terrain = std::move(terrain);
     engine.takeTerrain(space.terrain);
@@ -100,7 +100,7 @@ class World {
     space.actuation.bank<FootbotWheels>().find(row)->setAngularVelocity((speed - difference) / geometry.radius,
                                                                         (speed + difference) / geometry.radius);
   }
-  /// Puts an entity elsewhere from outside.
+  /// Moves an entity from outside.
   void place(Row row, const Pose& pose) {
     space.structure.isolate(row);
     space.attachments.isolate(row);

@@ -6,7 +6,7 @@
 
 namespace swarmanoid::program {
 
-/// Returns only if it cannot be started; errno then says why. @param program its path @param arguments without its name
+/// Returns only on failure, with errno set. @param program its path @param arguments without the program's name
 void becomeProgram(const std::string& program, const std::vector<std::string>& arguments);
 
 }  // namespace swarmanoid::program

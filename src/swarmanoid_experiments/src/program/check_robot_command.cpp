@@ -1,4 +1,4 @@
-// `swarmanoid check-robot`: all that is wrong with a robot's description at once; else what the robot can do.
+// `swarmanoid check-robot`: lists all problems of a robot's description at once, or the capabilities of the robot.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -41,7 +41,7 @@ std::string refusalFor(const Registry::Entry& device, const Configuration& param
   return "";
 }
 
-/// Puts a device on the robot, with its usual parameters. @return why it cannot be there; "" if it can
+/// Adds a device to the robot, with its default parameters. @return reason why the robot cannot have it, or ""
 std::string missingFor(const Registry::Entry& device, const ModelPointer& robot) {
   for (const Mechanism& mechanism : device.description.mechanisms) {
     if (const std::string part = robot->missingPart(mechanism); !part.empty()) {
@@ -51,14 +51,14 @@ std::string missingFor(const Registry::Entry& device, const ModelPointer& robot)
   Configuration parameters(device.description.label, "", {});
   for (const Parameter& parameter : device.description.parameters) {
     if (!parameter.value) {
-      return "";  // what an experiment must say cannot be tried without one
+      return "";  // required parameters have no value to try
     }
     parameters.set(parameter.name, *parameter.value);
   }
   return refusalFor(device, parameters, robot);
 }
 
-/// The implementations that an experiment means which names none, of devices that such a robot may have.
+/// The default implementations of the devices that such a robot may have.
 std::vector<const Registry::Entry*> devicesFor(const EntityModel& robot) {
   std::vector<const Registry::Entry*> devices;
   for (const PluginKind kind : {PluginKind::kSensor, PluginKind::kActuator}) {
@@ -74,7 +74,7 @@ std::vector<const Registry::Entry*> devicesFor(const EntityModel& robot) {
   return devices;
 }
 
-/// Devices of the description that no library provides.
+/// Adds devices of the description that no library provides.
 void addUnknownDevices(const std::string& file, const EntityModel& robot, std::vector<std::string>& problems) {
   std::vector<std::string> known;
   for (const PluginKind kind : {PluginKind::kSensor, PluginKind::kActuator}) {

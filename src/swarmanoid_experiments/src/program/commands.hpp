@@ -13,7 +13,7 @@ using Command = std::function<ExitCode()>;
 
 /// `run FILE` runs an experiment without ROS.
 Command addRunCommand(CLI::App& app);
-/// `rerun RUN` makes a recorded run again, and compares the state of each tick.
+/// `rerun RUN` repeats a recorded run, and compares the state of each tick.
 Command addRerunCommand(CLI::App& app);
 /// `launch EXPERIMENT [ARGUMENT...]` runs an experiment under ROS, with the same exit codes as `run`.
 Command addLaunchCommand(CLI::App& app);
@@ -23,13 +23,13 @@ Command addDiffCommand(CLI::App& app);
 Command addValidateCommand(CLI::App& app);
 /// `list [KIND]` lists the names that may be used in an experiment file.
 Command addListCommand(CLI::App& app);
-/// `describe [DEVICE]` prints what the code says of a device, as Markdown.
+/// `describe [DEVICE]` prints the documentation of a device in the code, as Markdown.
 Command addDescribeCommand(CLI::App& app);
-/// `check-robot FILE` lists all that is wrong with a robot's description, or what the robot can do.
+/// `check-robot FILE` lists all problems of a robot's description, or the capabilities of the robot.
 Command addCheckRobotCommand(CLI::App& app);
-/// `sample DEVICE` writes a table of what a sensor reads, for its implementation `sampled`.
+/// `sample DEVICE` writes a table of a sensor's readings, for its implementation `sampled`.
 Command addSampleCommand(CLI::App& app);
-/// `schema` prints the XSD of experiment files, with all that is installed.
+/// `schema` prints the XSD of experiment files, with all installed plugins.
 Command addSchemaCommand(CLI::App& app);
 
 }  // namespace swarmanoid::program

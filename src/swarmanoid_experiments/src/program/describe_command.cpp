@@ -1,4 +1,5 @@
-// `swarmanoid describe`: what the code says of devices, as Markdown. A page of docs/reference/devices/ begins with it.
+// `swarmanoid describe`: the documentation of devices in the code, as Markdown. Each page in docs/reference/devices/
+// starts with it.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -27,7 +28,7 @@ namespace {
 /// The implementations of a device.
 using Implementations = std::vector<const Registry::Entry*>;
 
-/// Returns all devices that are registered, by type.
+/// Returns all registered devices, by type.
 std::map<std::string, Implementations> registeredDevices() {
   std::map<std::string, Implementations> devices;
   for (const PluginKind kind : {PluginKind::kSensor, PluginKind::kActuator}) {
@@ -68,19 +69,19 @@ std::string restingValueOf(const FieldDescription& field) {
   return shortNumber(field.resting_value, kDigits);
 }
 
-/// All columns but the name.
+/// All columns except the name.
 std::vector<std::string> columnsOf(const FieldDescription& field) {
   return {asCode(typeName(field)), field.unit, rangeOf(field), restingValueOf(field), field.meaning};
 }
 
-/// Returns "ring[12]" of "ring[12].red"; "" of a field that is in no struct.
+/// Returns "ring[12]" for "ring[12].red"; "" for a field outside structs.
 std::string structOf(const FieldDescription& field) {
   const std::string name = countedName(field);
   const std::size_t point = name.rfind('.');
   return point == std::string::npos ? "" : name.substr(0, point);
 }
 
-/// Fields of one struct that differ in nothing but their names, such as red, green and blue, share a row.
+/// Fields of one struct that differ only in their names, such as red, green and blue, share a row.
 MarkdownTable fieldTable(const std::vector<FieldDescription>& fields) {
   MarkdownTable table({"field", "type", "unit", "range", "at rest", "meaning"});
   for (std::size_t i = 0; i < fields.size();) {
@@ -125,7 +126,7 @@ std::vector<std::shared_ptr<const EntityModel>> robotsWith(const std::string& de
     try {
       models.push_back(robotModel(robot));
     } catch (const ConfigError&) {
-      // `list` names robots whose descriptions are wrong; here the others say enough
+      // `list` reports robots with invalid descriptions; the other robots suffice here
     }
   }
   return models;
@@ -181,7 +182,7 @@ void writeImplementation(const PluginDescription& description, bool is_only_one,
       << (description.parameters.empty() ? "It has no parameters.\n" : parameterTable(description.parameters).text());
 }
 
-/// Writes the presets of a device, each as an experiment file would say it.
+/// Writes the presets of a device, as they stand in an experiment file.
 void writePresets(const std::string& device, PluginKind kind, std::ostream& out) {
   for (const RealismPreset& preset : realismPresets()) {
     if (preset.device != device || preset.kind != kind) {
@@ -217,7 +218,7 @@ void writeDevice(const std::string& name, const Implementations& implementations
   writePresets(name, implementations.front()->kind, out);
 }
 
-/// @param device whose name it is; "": all of the suite
+/// @param device its type; "": all devices of the suite
 ExitCode describeDevices(const std::string& device) {
   loadBuiltInPlugins();
   auto devices = registeredDevices();

@@ -1,4 +1,4 @@
-// `swarmanoid diff`. Bags are read by another program, with ROS's library.
+// `swarmanoid diff`. Another program reads the bags with ROS's library.
 #include "commands.hpp"
 #include "hosts_program.hpp"
 

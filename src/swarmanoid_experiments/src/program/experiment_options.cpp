@@ -10,7 +10,7 @@
 namespace swarmanoid::program {
 namespace {
 
-/// Refuses "nan", which the option parser would accept.
+/// Rejects "nan", which the option parser would accept.
 std::string refuseBadWatchdog(const std::string& text) {
   try {
     parseNumber(text, "--watchdog", {}, {0.1, 1e9});

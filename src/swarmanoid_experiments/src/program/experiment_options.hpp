@@ -1,4 +1,4 @@
-/// The options that all commands share which read an experiment: the file, and values that replace those in it.
+/// Options shared by all commands that read an experiment: the file, and values that replace those in it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -21,15 +21,15 @@ struct ExperimentOptions {
   double watchdog = 0.0;  ///< [s]; 0: none
 };
 
-/// For the option parser, which would read -1 and numbers above the largest one as the largest one.
-/// @return why it is no count; "" if it is one
+/// A check for the option parser, which would convert -1 and numbers that are too large to the largest number.
+/// @return reason why the text is not a count, or ""
 std::string refuseWrappedNumber(const std::string& text);
 
 void addExperimentOptions(CLI::App& command, ExperimentOptions& options);
 
-/// Reads the experiment with the changes of the options. Warnings go to the error stream. @throws ConfigError
+/// Reads the experiment and applies the options. Warnings go to the error stream. @throws ConfigError
 Experiment readExperiment(const ExperimentOptions& options);
-/// Does the same, but loads no library that the file names. @throws ConfigError
+/// The same as readExperiment, but loads no library that the file names. @throws ConfigError
 UncheckedExperiment readWithoutLibraries(const ExperimentOptions& options);
 
 }  // namespace swarmanoid::program

@@ -34,7 +34,7 @@ std::vector<fs::path> foldersOfPrograms() {
   return folders;
 }
 
-/// Returns what the script says of itself; "" for a program that is no script.
+/// Returns the summary line of a script; "" for other programs.
 std::string summaryIn(const fs::path& program) {
   constexpr std::string_view kMark = "# summary: ";
   constexpr int kFirstLines = 5;
@@ -61,7 +61,7 @@ bool isProgram(const fs::directory_entry& entry) {
 std::vector<ExternalCommand> externalCommands() {
   std::map<std::string, ExternalCommand> found;
   for (const fs::path& folder : foldersOfPrograms()) {
-    std::error_code error;  // folders of PATH need not be there
+    std::error_code error;  // folders of PATH may be missing
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
       const std::string file = entry.path().filename().string();
       if (file.rfind(kPrefix, 0) == 0 && file.size() > kPrefix.size() && isProgram(entry)) {

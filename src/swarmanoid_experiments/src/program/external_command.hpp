@@ -1,6 +1,6 @@
-/// Commands that other packages bring, in any language: `swarmanoid batch` is the program `swarmanoid-batch`, beside
-/// this one or else in a folder of PATH, as git has it. A script says what it does in one of its first lines, for
-/// --help:
+/// Commands that other packages provide, in any language: `swarmanoid batch` starts the program `swarmanoid-batch`,
+/// from the folder of this program or from a folder of PATH, as git does. A script describes itself in one of its first
+/// lines, for --help:
 /// "# summary: runs an experiment with many seeds".
 #pragma once
 
@@ -11,11 +11,11 @@ namespace swarmanoid::program {
 
 struct ExternalCommand {
   std::string name;     ///< "batch"
-  std::string program;  ///< its file
-  std::string summary;  ///< "" if it does not say
+  std::string program;  ///< path of its file
+  std::string summary;  ///< "" if it has none
 };
 
-/// Returns those that can be started, sorted by name; of two with one name, that which PATH has first.
+/// Returns the executable commands, sorted by name; for equal names, the first one in PATH.
 std::vector<ExternalCommand> externalCommands();
 
 /// Replaces this process by the command. @throws ConfigError if it cannot be started

@@ -15,7 +15,7 @@
 namespace swarmanoid::program {
 namespace {
 
-/// Returns the path of the other program, beside this one in a devel space as in an install space.
+/// Returns the path of the other program, relative to this one, in a devel space or an install space.
 std::string pathOf(const std::string& name) {
   const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe");
   return (own.parent_path().parent_path() / "lib/swarmanoid_hosts" / name).string();

@@ -1,4 +1,4 @@
-/// Programs of the package swarmanoid_hosts that read bags, with ROS's library, which this program does not use.
+/// Programs of the package swarmanoid_hosts that read bags with ROS's library, which this program does not use.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace swarmanoid::program {
 
-/// Such a program has ended with this code, and has said why.
+/// The program has ended with this code, and has reported the reason.
 struct HostsProgramFailed {
   ExitCode code;
 };
 
-/// Becomes that program. @param name of it @throws ConfigError if it cannot be started
+/// Replaces this process by that program. @param name of the program @throws ConfigError if it cannot be started
 [[noreturn]] void becomeHostsProgram(const std::string& name, const std::vector<std::string>& arguments);
 
-/// Runs that program and waits for its end. @throws HostsProgramFailed if it ends with another code than 0, ConfigError
-/// if it cannot be started, std::runtime_error if a signal has ended it
+/// Runs that program and waits for its end. @throws HostsProgramFailed if its exit code is not 0, ConfigError if it
+/// cannot be started, std::runtime_error if a signal ended it
 void callHostsProgram(const std::string& name, const std::vector<std::string>& arguments);
 
 }  // namespace swarmanoid::program

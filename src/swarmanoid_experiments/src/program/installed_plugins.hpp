@@ -9,15 +9,15 @@
 
 namespace swarmanoid::program {
 
-/// Maps plugins to the libraries that experiment files name for them; `library` is "" where the suite loads it by
+/// Maps plugins to the libraries that experiment files must name for them; `library` is "" if the suite loads it by
 /// itself.
 using PluginOrigins = std::map<const Registry::Entry*, DeclaredLibrary>;
 
-/// Returns all plugins that are loaded, by kind, label and implementation.
+/// Returns all loaded plugins, by kind, label and implementation.
 std::vector<const Registry::Entry*> allPlugins();
 
-/// Loads all installed plugins, which runs code of their libraries. What cannot be loaded, a robot that is wrong, and
-/// a plugin that is there twice are warnings on the error stream: the others are loaded all the same.
+/// Loads all installed plugins, which runs code of their libraries. Libraries that cannot be loaded, invalid robots and
+/// duplicate plugins cause warnings on the error stream; the rest is loaded nevertheless.
 PluginOrigins loadInstalledPlugins();
 
 }  // namespace swarmanoid::program

@@ -10,7 +10,7 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0;
 
 void note(int signal) {
-  if (interrupted != 0 && signal != SIGHUP) {  // a terminal that is closed may send SIGHUP several times
+  if (interrupted != 0 && signal != SIGHUP) {  // a closing terminal may send SIGHUP several times
     UserCodeWatch::askToEndNow();
   }
   interrupted = 1;
@@ -26,7 +26,7 @@ bool isIgnored(int signal) {
 void noteInterruptions() {
   struct sigaction action {};
   action.sa_handler = note;
-  action.sa_flags = SA_RESTART;  // a write that is under way must not fail
+  action.sa_flags = SA_RESTART;  // a write in progress must not fail
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);

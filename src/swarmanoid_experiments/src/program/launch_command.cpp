@@ -25,9 +25,9 @@ namespace {
 volatile std::sig_atomic_t is_asked_to_end = 0;
 volatile std::sig_atomic_t had_result = 0;  // whether the result existed when the first signal came
 volatile std::sig_atomic_t roslaunch_pid = 0;
-std::string result_file;  // does not change after the signal handlers are installed
+std::string result_file;  // constant once the signal handlers are installed
 
-/// Passes on a signal that another process sends to this one; Ctrl-C in a terminal reaches roslaunch by itself.
+/// Forwards a signal from another process to roslaunch; Ctrl-C in a terminal reaches roslaunch directly.
 void passOn(int signal, siginfo_t* sender, void*) {
   if (is_asked_to_end == 0) {
     had_result = access(result_file.c_str(), F_OK) == 0 ? 1 : 0;
@@ -38,7 +38,7 @@ void passOn(int signal, siginfo_t* sender, void*) {
   }
 }
 
-/// @return the exit code of roslaunch; nothing if a signal has ended it
+/// @return the exit code of roslaunch; nothing if a signal ended it
 std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
   std::vector<char*> words;
   for (const std::string& argument : arguments) {
@@ -71,12 +71,12 @@ std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
   return WIFEXITED(status) ? std::optional<int>(WEXITSTATUS(status)) : std::nullopt;
 }
 
-/// Returns the code that the run has written, or else the one that follows from roslaunch.
+/// Returns the code that the run wrote, or else the one derived from roslaunch.
 ExitCode exitCode(const std::filesystem::path& file, std::optional<int> of_roslaunch) {
   int number = 0;
   if (std::ifstream(file) >> number) {
     const auto code = static_cast<ExitCode>(number);
-    // roslaunch ends its nodes one after the other: the space may have been unloaded before ROS shut down
+    // roslaunch ends its nodes one by one: the space may have been unloaded before ROS shut down
     const bool is_interrupted = code == ExitCode::kStopped && is_asked_to_end != 0 && had_result == 0;
     return is_interrupted ? ExitCode::kInterrupted : code;
   }
@@ -84,14 +84,14 @@ ExitCode exitCode(const std::filesystem::path& file, std::optional<int> of_rosla
     return ExitCode::kInterrupted;
   }
   if (of_roslaunch.value_or(0) != 0) {
-    return ExitCode::kBadInput;  // roslaunch has refused to start anything, and has reported the reason
+    return ExitCode::kBadInput;  // roslaunch has refused to start, and has reported the reason
   }
   std::cerr << "swarmanoid: the run has ended without a result\n";
   return ExitCode::kStopped;
 }
 
-/// Sets the host name in the environment: roslaunch is its own master, which uses the environment, independent of the
-/// settings for nodes in a launch file.
+/// Sets the host name in the environment: roslaunch runs the master itself, with its own environment, independent of
+/// the settings for nodes in a launch file.
 void nameThisHost(const std::vector<std::string>& arguments) {
   const std::string option = "hostname:=";
   for (const std::string& argument : arguments) {
@@ -113,10 +113,10 @@ ExitCode launch(const std::string& experiment, const std::vector<std::string>& o
       }
     }
   }
-  findExperiment(experiment);  // roslaunch would bury a mistyped name, and take its own default for an empty one
+  findExperiment(experiment);  // roslaunch would hide a mistyped name, and replace an empty one by its default
   const TemporaryFolder folder("launch");
   const std::filesystem::path file = std::filesystem::absolute(folder.path() / "exit_code");
-  // this is no parameter: users who can reach the master could name files of this user there
+  // not a ROS parameter: other users of the master could make it name files of this user
   setenv("SWARMANOID_EXIT_CODE", file.c_str(), 1);
   result_file = file;
   nameThisHost(others);

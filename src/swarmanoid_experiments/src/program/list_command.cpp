@@ -81,7 +81,7 @@ void write(const PluginDescription& description, const DeclaredLibrary& origin, 
   }
 }
 
-/// Returns the headings. Every tag is listed under one of these, as every plugin is under its kind.
+/// Returns the headings. Every tag is listed under one of them, and every plugin under its kind.
 std::vector<std::string> headings() {
   std::vector<std::string> names{"experiment"};
   for (const ExperimentTag& tag : experimentTags()) {

@@ -23,7 +23,8 @@ bool hasCommand(CLI::App& app, const std::string& name) {
   return !app.get_subcommands([&](CLI::App* command) { return command->get_name() == name; }).empty();
 }
 
-/// Becomes the command of another package if the first argument names one; else adds all of them, for --help.
+/// Replaces this process by another package's command if the first argument names one; else adds all of them, for
+/// --help.
 void addExternalCommands(CLI::App& app, int argc, char** argv) {
   const std::string name = argc > 1 ? argv[1] : "";
   if (hasCommand(app, name)) {

@@ -1,4 +1,4 @@
-/// A table of Markdown, row by row.
+/// A Markdown table that is built row by row.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ class MarkdownTable {
  public:
   explicit MarkdownTable(const std::vector<std::string>& columns);
 
-  /// @param cells as many as there are columns; a bar in one is written so that it does not end the cell
+  /// @param cells one for each column; bars in them are escaped
   void add(const std::vector<std::string>& cells);
   /// Returns the lines.
   const std::string& text() const { return text_; }

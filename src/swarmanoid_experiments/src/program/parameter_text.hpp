@@ -1,4 +1,4 @@
-/// Says in words what a parameter may be.
+/// Describes the allowed values of a parameter.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@ void endWithParent() {
   const pid_t parent = getppid();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) {
-    raise(SIGKILL);  // the parent has ended meanwhile
+    raise(SIGKILL);  // the parent has ended in the meantime
   }
 }
 

@@ -61,7 +61,7 @@ void ProgressBar::draw(std::uint64_t done, bool is_over) {
   if (!is_over && rate > 0.0) {
     rest = ", about " + durationText(static_cast<double>(total_ - std::min(done, total_)) / rate) + " left";
   }
-  // erases the rest of a longer line that was printed before
+  // also erases the rest of a longer previous line
   std::fprintf(stderr, "%s%s [%s] %llu of at most %llu ticks, %.1f s simulated, %.0f ticks/s%s%s",
                is_terminal_ ? "\r" : "", title_.c_str(), bar.c_str(), static_cast<unsigned long long>(done),
                static_cast<unsigned long long>(total_), static_cast<double>(done) * tick_s_, rate, rest.c_str(),

@@ -11,11 +11,11 @@ namespace swarmanoid::program {
 
 class ProgressBar {
  public:
-  /// @param total of ticks, and the simulated duration of each [s]; @param quiet draws nothing
+  /// @param total number of ticks @param tick_s simulated duration of a tick [s] @param quiet draws nothing
   ProgressBar(std::string title, std::uint64_t total, double tick_s, bool quiet);
   void show(std::uint64_t done);
-  /// Prints a whole line in place of the bar, which is drawn again later, even if `quiet` is set. It may be called from
-  /// any thread.
+  /// Prints a whole line in place of the bar, even if `quiet` is set; the bar is drawn again later. Callable from any
+  /// thread.
   void print(const std::string& line);
   /// Ends the line of the bar.
   void finish(std::uint64_t done);
@@ -29,7 +29,7 @@ class ProgressBar {
   double tick_s_;
   bool quiet_;
   bool is_terminal_;
-  bool stands_ = false;  // whether the bar stands on a terminal, without a line end
+  bool stands_ = false;  // whether the bar is on a terminal, without a line end
   std::uint64_t next_tenth_ = 1;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point next_draw_ = start_;

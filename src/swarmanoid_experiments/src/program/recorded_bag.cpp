@@ -19,7 +19,7 @@ RecordPlace unpack(const std::string& bag, std::vector<std::string> options) {
   RecordPlace place;
   place.owner = std::make_unique<TemporaryFolder>("record");
   place.folder = place.owner->path().string();
-  // not taken for an option
+  // a name that starts with a dash must not look like an option
   options.insert(options.begin(), {bag.rfind('-', 0) == 0 ? "./" + bag : bag, place.folder});
   callHostsProgram("unpack", options);
   place.files = {bag};
@@ -58,7 +58,7 @@ std::string bagIn(const std::string& folder) {
 bool isBag(const std::string& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) {
-    return false;  // a pipe cannot be looked into without taking from it
+    return false;  // reading from a pipe would consume its data
   }
   const std::string begin = kBeginOfBags;
   std::string found(begin.size(), '\0');

@@ -33,7 +33,7 @@ std::vector<std::string> wordsOf(const std::string& path) {
   return words;
 }
 
-/// A parameter that may not change is refused before the run is made, not in its middle.
+/// A parameter that cannot change during a run is rejected before the run starts.
 SetEngineParameters engineParameter(const Override& setting, const std::vector<std::string>& words,
                                     const Experiment& experiment) {
   const auto engine = std::find_if(experiment.engines.begin(), experiment.engines.end(),
@@ -67,12 +67,12 @@ std::uint64_t maxClock(const Override& setting) {
       parseInteger(setting.value, "maxclock", {"--set " + setting.path, 0}, limits::kTicks));
 }
 
-/// As diff names them.
+/// The name that diff uses.
 std::string nameOfTick(std::uint64_t finished_ticks) {
   return finished_ticks == 0 ? "before the first tick" : "tick " + std::to_string(finished_ticks - 1);
 }
 
-/// @param compared states @param last of them, in finished ticks
+/// @param compared number of compared states @param last one of them, in finished ticks
 std::string describeEqual(std::uint64_t compared, std::uint64_t last, std::uint64_t every) {
   if (last == 0) {
     return "the state before the first tick is that of the recorded run";
@@ -86,7 +86,7 @@ std::string describeEqual(std::uint64_t compared, std::uint64_t last, std::uint6
 
 enum class Advance { kReached, kOver, kInterrupted };
 
-/// Makes ticks until so many are finished.
+/// Runs ticks until that many are finished.
 Advance advance(Simulation& simulation, std::uint64_t ticks, const std::function<bool()>& after_tick) {
   while (simulation.space().tick < ticks) {
     if (simulation.isFinished()) {
@@ -146,7 +146,7 @@ void refuseOtherResult(const RecordedRun& run) {
   if (!result.is_object() || !result.contains("ticks") || !result["ticks"].is_number_unsigned()) {
     throw ConfigError({file, 0}, "found no JSON object with 'ticks', allowed: the summary of the run");
   }
-  // a call that has ended the run may have been in the middle of a tick
+  // the call that ended the run may have been in the middle of a tick
   const auto ticks = result["ticks"].get<std::uint64_t>();
   if (ticks < run.ticks() || ticks > run.ticks() + run.record.every) {
     throw ConfigError({(std::filesystem::path(run.folder) / record_files::kHashes).string(), 0},
@@ -175,7 +175,7 @@ Verdict compareTicks(Simulation& simulation, const RecordedRun& run, std::uint64
                         : "interrupted after " + made + " ticks, which have the states of the recorded run"};
       }
     } catch (...) {
-      // a rule that throws does so when the tick is over and its state is recorded
+      // a rule that throws does so after the tick is over and its state is recorded
       if (simulation.space().tick != recorded.tick || recorded.tick != run.ticks()) {
         throw;
       }

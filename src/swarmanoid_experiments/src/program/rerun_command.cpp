@@ -36,7 +36,7 @@ struct RerunOptions {
 
 void warn(const std::string& text) { std::cerr << "swarmanoid: warning: " << text << '\n'; }
 
-/// Commands that came from other processes are not in the record.
+/// Commands from other processes are not in the record.
 void refuseRobotsOfOthers(const std::vector<std::string>& robots, const std::string& run) {
   if (!robots.empty()) {
     throw ConfigError({run, 0}, "found robots that other processes commanded (" + joinNames(robots) +
@@ -57,7 +57,7 @@ std::uint64_t readUntil(const RerunOptions& options, const RecordedRun& run) {
   return options.until.value_or(run.ticks());
 }
 
-/// Lets the run be as long as the fork asks for. @throws ConfigError
+/// Extends or shortens the run as the fork requests. @throws ConfigError
 void changeLength(Experiment& experiment, const Fork& fork, std::uint64_t until) {
   if (fork.max_clock && *fork.max_clock < until) {
     throw ConfigError({"--set framework.maxclock", 0}, "found " + std::to_string(*fork.max_clock) + ", allowed: from " +
@@ -80,7 +80,7 @@ void addRecorders(Simulation& simulation, const RunContext& context, const Rerun
   }
 }
 
-/// @return false if a file is not complete, which is said
+/// @return false if a file is incomplete; the reason is printed
 bool finish(Simulation& simulation) {
   try {
     simulation.finish();
@@ -91,7 +91,7 @@ bool finish(Simulation& simulation) {
   }
 }
 
-/// Goes on from where the run parts from the recorded one, and prints the summary.
+/// Continues from the fork, and prints the summary.
 ExitCode runFork(Simulation& simulation, const Fork& fork, RunFacts& facts, const std::function<bool()>& after_tick) {
   ExitCode code = ExitCode::kFinished;
   const auto start = std::chrono::steady_clock::now();
@@ -112,14 +112,14 @@ ExitCode runFork(Simulation& simulation, const Fork& fork, RunFacts& facts, cons
     code = ExitCode::kInterrupted;
   }
   code = finish(simulation) ? code : ExitCode::kStopped;
-  run_end.state_hash = simulation.stateHash();  // without changes by destroy()
+  run_end.state_hash = simulation.stateHash();  // before destroy() can change the state
   simulation.destroyControllers();
   const RunResult result = resultOf(simulation, run_end);
   print(toText(summarise(result, facts)) + "\n");
   return code == ExitCode::kFinished && !result.failures.empty() ? ExitCode::kControllerFailed : code;
 }
 
-/// The files that the experiment's visualisations write again go into a folder that is removed, unless one is named.
+/// The experiment's visualisations write their files again: to a temporary folder, unless the options name one.
 RunFiles filesOf(const RerunOptions& options, const RecordPlace& place, const TemporaryFolder& nowhere) {
   RunFiles files;
   files.prefix = "--";
@@ -160,7 +160,7 @@ ExitCode makeAgain(Simulation& simulation, const RecordedRun& run, std::uint64_t
   }
   print(verdict.text + "\n");
   if (verdict.is_equal && !fork.isNone()) {
-    facts.robot_ticks = 0.0;  // the summary is of what comes
+    facts.robot_ticks = 0.0;  // the summary covers the fork only
     return runFork(simulation, fork, facts, after_tick);
   }
   if (!finish(simulation)) {
@@ -197,7 +197,7 @@ ExitCode rerun(const RerunOptions& options) {
   context.is_open = false;
   context.out = openOutFolder(filesOf(options, place, nowhere), experiment);
   context.is_fork = fork.seed.has_value();
-  experiment.overrides = run.record.overrides;  // which its text has already: for the tables that it writes
+  experiment.overrides = run.record.overrides;  // already applied in its text; given here for the tables that it writes
   Simulation simulation(std::move(experiment), context);
   simulation.play(InterventionPlayer(withoutThoseOfRules(std::move(interventions), simulation.experiment()),
                                      AskedByRules::kPlayed));

@@ -64,7 +64,7 @@ void printProfile(const PhaseTimes& total, const Space& space) {
   }
 }
 
-/// Prints the summary, which is the result in the record, too. @return whether that could be written
+/// Prints the summary, and writes it to the record as its result. @return whether the record was written
 bool conclude(const std::string& summary, RecordFolder* record) {
   bool is_written = true;
   try {
@@ -79,7 +79,7 @@ bool conclude(const std::string& summary, RecordFolder* record) {
   return is_written;
 }
 
-/// Saves the files and the summary of a run that ends in the middle of a plugin's call.
+/// Saves the files and the summary of a run that ends during a plugin's call.
 void keepWhatIsThere(Simulation& simulation, const RunEnd& run_end, const RunFacts& facts, RecordFolder* record,
                      const UserCodeEnd& end) {
   simulation.giveUp(end.part);
@@ -146,7 +146,7 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, RecordFolde
     std::cerr << "swarmanoid: " << describeException() << '\n';
     code = ExitCode::kStopped;
   }
-  run_end.state_hash = simulation.stateHash();  // without changes by destroy()
+  run_end.state_hash = simulation.stateHash();  // before destroy() can change the state
   simulation.destroyControllers();
   const RunResult result = resultOf(simulation, run_end);
   if (code == ExitCode::kFinished && !result.failures.empty()) {
@@ -170,7 +170,7 @@ RunFiles filesOf(const RunOptions& options) {
   return files;
 }
 
-/// Adds what writes the record. @return null if none is asked for
+/// Adds the observers that write the record. @return null if none is requested
 std::unique_ptr<RecordFolder> startRecord(Simulation& simulation, const RunContext& context,
                                           const std::optional<std::string>& folder) {
   if (!folder) {
@@ -224,7 +224,7 @@ ExitCode run(const RunOptions& options) {
   if (record != nullptr) {
     record->begin();
   }
-  // the sink shares it, and controllers may still use the sink while the simulation is destroyed
+  // shared with the sink, which controllers may still use while the simulation is destroyed
   const FrameworkDescription& framework = simulation.experiment().framework;
   const auto bar = std::make_shared<ProgressBar>(simulation.experiment().name, framework.max_clock,
                                                  toSeconds(framework.clocktick), options.quiet);

@@ -10,7 +10,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Returns how many readings of each type of device were truncated, and for how many robots.
+/// Returns the number of truncated readings for each type of device, and of affected robots.
 ordered_json overflowsOf(const RunResult& result) {
   ordered_json overflows = ordered_json::object();
   for (const Overflow& overflow : result.overflows) {

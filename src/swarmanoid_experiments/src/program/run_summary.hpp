@@ -1,4 +1,4 @@
-/// Makes the one JSON object that a run prints at its end.
+/// Builds the JSON object that a run prints at its end.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace swarmanoid::program {
 
-/// The facts about a run that the summary contains in addition to its result.
+/// Facts about a run that the summary contains in addition to its result.
 struct RunFacts {
   std::vector<std::string> overrides;  ///< options that replaced values of the file, as given: "--seed 7"
   double robot_ticks = 0.0;            ///< robots times ticks, summed over the run

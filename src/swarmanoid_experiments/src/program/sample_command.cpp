@@ -1,4 +1,4 @@
-// `swarmanoid sample`: a table of what a sensor reads, for its implementation `sampled`.
+// `swarmanoid sample`: a table of a sensor's readings, for its implementation `sampled`.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -55,7 +55,7 @@ std::vector<double> valuesOf(const std::string& text, const std::string& option,
   return values;
 }
 
-/// Up to the reach in 20 steps; a lamp has no place in the sensor itself.
+/// 20 steps up to the reach; for light without 0, where the lamp would be in the sensor.
 std::vector<double> usualDistances(const SampleWorld& world) {
   constexpr int kSteps = 20;
   std::vector<double> values;
@@ -77,13 +77,13 @@ std::vector<double> distancesOf(const SampleWorld& world, const std::string& tex
   return values;
 }
 
-/// A wall ends beside the line of sight: nearly along it a sensor would look past it.
+/// The wall has a limited width: at a grazing angle the sensor would miss it.
 Range allowedAngles(const SampleWorld& world) {
   constexpr double kSteepest = 89.0;  // deg
   return world.stimulus() == Stimulus::kObstacle ? Range{0.0, kSteepest} : SampleTable::kAngles;
 }
 
-/// Up to 80 degrees; of lamps to 90, where sensors cease to feel them.
+/// Up to 80 degrees; for light up to 90, the limit of the sensors' field of view.
 std::vector<double> anglesOf(const SampleWorld& world, const std::string& text) {
   const char* usual = world.stimulus() == Stimulus::kLight ? "0:10:90" : "0:10:80";
   return valuesOf(text.empty() ? usual : text, "--angles", allowedAngles(world));
@@ -102,7 +102,7 @@ const Registry::Entry& requireSampled(const std::string& device) {
   throw ConfigError({"sample", 0}, unknownName("the sensor", device, known));
 }
 
-/// The parameters of the default implementation, with what --set says.
+/// The parameters of the default implementation, with the values from --set.
 Configuration parametersOf(const PluginDescription& ideal, const std::vector<std::string>& settings) {
   Configuration parameters(ideal.label, "", {});
   std::vector<Override> given;
@@ -128,8 +128,8 @@ Configuration parametersOf(const PluginDescription& ideal, const std::vector<std
   return parameters;
 }
 
-/// A sensor that reads by the law of the default implementation.
-/// @param settings that the parameters have from --set
+/// A sensor that follows the law of the default implementation.
+/// @param settings values from --set, for the message
 std::shared_ptr<Sensor> makeIdeal(const Registry::Entry& sampled, const Configuration& parameters,
                                   const std::vector<std::string>& settings) {
   auto sensor = makePlugin<Sensor>(sampled);
@@ -147,7 +147,7 @@ std::shared_ptr<Sensor> makeIdeal(const Registry::Entry& sampled, const Configur
   return sensor;
 }
 
-/// @param given "": the one that the device is made for
+/// @param given "": the robot that the device is made for
 std::string robotOf(const std::string& device, const std::string& given) {
   const DeviceType* type = findDeviceType(device);
   std::string robot = given.empty() && type != nullptr ? type->robot : given;

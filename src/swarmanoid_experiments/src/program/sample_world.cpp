@@ -12,11 +12,11 @@
 namespace swarmanoid::program {
 namespace {
 
-// All things are far enough from the floor and from the sides not to meet them.
+// The objects are far enough from the floor and the sides of the arena not to touch them.
 const Eigen::Vector3d world_size(400.0, 400.0, 400.0);  // m
 const Eigen::Vector3d middle(200.0, 200.0, 200.0);      // m
 const Eigen::Vector3d wall_size(0.1, 4.0, 4.0);         // m
-constexpr double kNearer = 1e-9;                        // than the reach, to be felt, m
+constexpr double kNearer = 1e-9;                        // m, distance to stay below the reach
 
 void refuseForeignRobot(const std::string& device, const EntityModel& robot) {
   const DeviceType* type = findDeviceType(device);
@@ -81,7 +81,7 @@ void SampleWorld::place(double distance, double angle) {
     pose.position = middle + distance * aside;
     return;
   }
-  // the middle of a face is straight ahead of the sensor, whatever the angle
+  // the sensor's line of sight hits the centre of a face at every angle
   pose.orientation = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ());
   pose.position = middle + distance * Eigen::Vector3d::UnitX() + 0.5 * wall_size.x() * aside;
 }

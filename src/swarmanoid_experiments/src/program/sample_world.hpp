@@ -1,4 +1,4 @@
-/// A world of one robot and one thing before one of its sensors, to make tables of what the sensor reads.
+/// A world of one robot and one object in front of one of its sensors, to make tables of the sensor's readings.
 #pragma once
 
 #include <cstddef>
@@ -13,29 +13,29 @@ namespace swarmanoid::program {
 
 class SampleWorld {
  public:
-  /// @param sensor is configured, and is a SampledSensor @param number of the one of the device that is read, from 0
+  /// @param sensor is configured, and is a SampledSensor @param number index of the sensor in the device, from 0
   /// @throws ConfigError if the robot has no such sensor
   SampleWorld(std::shared_ptr<Sensor> sensor, const std::string& robot, std::size_t number);
   SampleWorld(const SampleWorld&) = delete;
   SampleWorld& operator=(const SampleWorld&) = delete;
 
   Stimulus stimulus() const { return sampled_->stimulus(); }
-  /// As far as the sensor feels anything [m].
+  /// Maximum range of the sensor [m].
   double reach() const { return sampled_->reach(); }
-  /// What it reads. What stands just where it ceases to feel is felt.
-  /// @param distance to the thing [m] @param angle as `Stimulus` has it [rad]
+  /// Reading of the sensor. An object exactly at the maximum range is detected.
+  /// @param distance to the object [m] @param angle as in `Stimulus` [rad]
   double read(double distance, double angle);
 
  private:
   Row add(const std::string& name, const std::shared_ptr<const EntityModel>& model);
   void addThing();
-  /// Puts the robot so that the sensor is there and looks in that direction, both in W.
+  /// Places the robot so that the sensor has that position and direction, both in W.
   void aim(const Eigen::Vector3d& place, const Eigen::Vector3d& direction);
   void place(double distance, double angle);
 
   Space space_;
   std::shared_ptr<Sensor> sensor_;
-  SampledSensor* sampled_;  // the same object
+  SampledSensor* sampled_;  // the same object as sensor_
   std::size_t number_;
   SampledSensor::Line line_;
   Row robot_;

@@ -12,13 +12,13 @@
 namespace swarmanoid::program {
 namespace {
 
-int output = STDOUT_FILENO;  // does not change after libraries of users are loaded
+int output = STDOUT_FILENO;  // constant once users' libraries are loaded
 
 }  // namespace
 
 bool fillStandardStreams() {
   bool is_output_open = true;
-  // in this order: a file gets the lowest number that is free
+  // the order matters: a file gets the lowest free number
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) == -1 && errno == EBADF) {
       is_output_open = is_output_open && stream != STDOUT_FILENO;

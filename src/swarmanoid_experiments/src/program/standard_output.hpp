@@ -5,13 +5,14 @@
 
 namespace swarmanoid::program {
 
-/// Opens /dev/null in the place of each standard stream that is closed; otherwise the next file that is opened would
-/// get its number, and the output for the stream. It is called before any other file is opened.
+/// Opens /dev/null in place of each closed standard stream; otherwise the next opened file would get its number, and
+/// with it the output of the stream. Must be called before any other file is opened.
 /// @return whether standard output was open
 bool fillStandardStreams();
 
-/// Writes the text at once to the standard output of that time, even if users' code has closed the stream since.
-/// @throws std::runtime_error if it cannot be written
+/// Writes the text at once to the standard output at the time of fillStandardStreams, even if users' code has closed
+/// the stream since.
+/// @throws std::runtime_error if writing fails
 void print(const std::string& text);
 
 }  // namespace swarmanoid::program

@@ -22,7 +22,7 @@ struct ValidateOptions : ExperimentOptions {
   bool end_with_parent = false;
 };
 
-/// Takes the place of a controller whose library is not loaded, or that is in Python.
+/// Replaces a controller in Python, or one whose library is not loaded.
 class IdleController final : public Controller {
  public:
   void init(Robot&, const Configuration&) override {}
@@ -106,7 +106,7 @@ Command addValidateCommand(CLI::App& app) {
     if (options->end_with_parent) {
       endWithParent();
     }
-    // the path is made before users' code is called, which may change the working directory
+    // computed before users' code runs, which may change the working directory
     const std::string full_name = std::filesystem::absolute(findExperiment(options->file)).string();
     const UserCodeWatch watch({nullptr, options->watchdog});
     const std::string found = options->no_libraries ? validateWithoutLibraries(*options) : validate(*options);

@@ -24,14 +24,14 @@
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_space/space.hpp"
 
-// what assert() calls; its header hides it from builds without assertions, but libraries have theirs
+// called by assert(); its header hides it in builds without assertions, but libraries use it
 extern "C" [[noreturn]] void __assert_fail(const char* assertion, const char* file, unsigned line,
                                            const char* function) noexcept;
 
 namespace swarmanoid::test {
 namespace {
 
-// what is thrown
+// exceptions
 
 struct Thing {
   int number = 7;
@@ -75,7 +75,7 @@ void throwIt() { throw std::runtime_error("out of a function that throws nothing
 
 void throwThroughNoexcept() noexcept { throwIt(); }
 
-// crashes: the compiler must not see what comes of it
+// crashes: volatile variables hide them from the compiler
 
 volatile int zero = 0;
 int* volatile null = nullptr;
@@ -96,7 +96,7 @@ void divideByZero() {
 }
 
 void readBeyondTheEndOfAFile() {
-  const int file = memfd_create("misbehaving", 0);  // there is nothing in it
+  const int file = memfd_create("misbehaving", 0);  // an empty file
   void* page = mmap(nullptr, 1, PROT_READ, MAP_SHARED, file, 0);
   zero = *static_cast<volatile char*>(page);
 }
@@ -114,7 +114,7 @@ void freeTwice() {
   std::free(same);
 }
 
-/// What std::malloc keeps beside its blocks is overwritten; whoever asks for memory next crashes.
+/// Overwrites std::malloc's bookkeeping beside its blocks; the next allocation crashes.
 void spoilTheHeap() {
   volatile char* memory = static_cast<char*>(std::malloc(24));
   for (int i = 0; i < 4096; ++i) {
@@ -127,7 +127,7 @@ void spoilTheHeap() {
 
 Space* exposed = nullptr;
 
-/// What is kept of a run must be of a time before this.
+/// Saved data of the run must date from before this call.
 void spoilTheStateAndCrash() {
   if (exposed != nullptr) {
     exposed->entities.pose[rowAt(0)].position.x() += 1.0;
@@ -135,7 +135,7 @@ void spoilTheStateAndCrash() {
   raise(SIGSEGV);
 }
 
-// what never ends
+// endless calls
 
 void loop() {
   for (;;) {
@@ -163,7 +163,7 @@ void loopDeafToSignals() {
   loop();
 }
 
-// what changes the process
+// changes of the process
 
 void crashOnAnotherThread() {
   std::thread(writeNowhere).detach();
@@ -183,7 +183,7 @@ void setCommaLocale() {
   }
 }
 
-/// Digits in groups and a decimal comma, whatever locales the machine has.
+/// Digits in groups and a decimal comma, independent of the installed locales.
 struct Commas : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }
@@ -199,7 +199,7 @@ void forkAndGoOn() {
 }
 
 void takeAllMemory() {
-  // more than any machine has: the attempt fails and harms nobody
+  // more than any machine has: the attempt fails without side effects
   const std::size_t volatile size = std::numeric_limits<std::size_t>::max() / 4;
   ::operator delete(::operator new(size));
 }
@@ -207,7 +207,7 @@ void takeAllMemory() {
 using Action = void (*)();
 
 const std::map<std::string, Action>& table() {
-  // never destroyed: the library's own static destructor performs them
+  // never destroyed: the library's own static destructor uses it
   static const auto& actions = *new const std::map<std::string, Action>{
       {"nothing", [] {}},
       {"throw_runtime_error", [] { throw std::runtime_error("told to"); }},

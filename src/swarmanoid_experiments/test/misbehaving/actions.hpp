@@ -1,4 +1,4 @@
-/// What users' code must not do, by name.
+/// Forbidden actions of users' code, by name.
 #pragma once
 
 #include <cstdint>
@@ -14,27 +14,28 @@ class Space;
 
 namespace swarmanoid::test {
 
-/// Does it. Some actions return, some throw, some end the process, some never end.
-/// @throws std::runtime_error beginning with "no such action" and naming all, if there is none of that name
+/// Performs the action. Some actions return, some throw, some end the process, some never end.
+/// @throws std::runtime_error starting with "no such action" and listing all names, if the name is unknown
 void perform(const std::string& action);
 
-/// What the action "spoil_state" spoils, from now on.
+/// Makes a space available to the action "spoil_state".
 void expose(Space& space);
 
-/// All names, sorted.
+/// All names of actions, sorted.
 std::vector<std::string> actions();
 
-/// What a plugin that is no controller has been told to do by its parameters: `phase`, a function of it, and `action`.
+/// The misbehaviour of a plugin other than a controller, from its parameters: `phase`, a function of the plugin, and
+/// `action`.
 class Misbehaviour {
  public:
   static constexpr std::uint64_t kTick = 3;
 
-  /// Of a plugin with this label that has nothing but a misbehaviour.
+  /// Description of a plugin with this label that only misbehaves.
   static PluginDescription describe(const std::string& label);
-  /// Does it at once if the phase is `configure`.
+  /// Performs the action at once if the phase is `configure`.
   void configure(const Configuration& parameters);
   void tryIn(const std::string& phase) const;
-  /// Only in that tick.
+  /// Performs the action only in the tick kTick.
   void tryIn(const std::string& phase, std::uint64_t tick) const;
 
  private:

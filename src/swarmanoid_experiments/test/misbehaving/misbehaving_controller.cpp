@@ -1,13 +1,13 @@
-// For tests of the boundary between the suite and users' code: a controller that misbehaves in a phase of its life, in
-// a way, that parameters name.
+// For tests of the boundary between the suite and users' code: a controller that misbehaves as its parameters say.
 //
-//     phase   init, step, reset, destroy, destructor, or several in one text: they are tried in turn; "never"
+//     phase   init, step, reset, destroy, destructor, or several in one text, which are tried in turn; "never"
 //     action  one of actions.cpp
-//     tick    counted by itself, in which `step` misbehaves (3)
-//     only    a robot's name; the others behave (all misbehave)
+//     tick    the controller's own count at which `step` misbehaves (3)
+//     only    name of the only robot that misbehaves (all misbehave)
 //
-// Before there are parameters the environment says what to do: MISBEHAVING="PHASE ACTION", with the phases `load` (the
-// library's static constructor), `factory` (the controller's constructor) and `unload` (the static destructor).
+// For phases before the parameters are available, the environment names phase and action: MISBEHAVING="PHASE ACTION",
+// with the phases `load` (the library's static constructor), `factory` (the controller's constructor) and `unload` (the
+// static destructor).
 #include <cstdlib>
 #include <sstream>
 #include <string>

@@ -1,4 +1,4 @@
-// The same for devices: implementations "misbehaving". phase: configure; in tick 3 sense and report of the sensor,
+// Misbehaving devices: implementations "misbehaving". phase: configure; in tick 3 sense and report of the sensor,
 // actuate and afterMove of the actuator.
 #include "actions.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"

@@ -1,5 +1,5 @@
-// The same for an engine, which need not hold anything. phase: configure; readMirrors, move, connect (in tick 3);
-// invalidPoseReason, which is called when somebody is to be handed over to it.
+// A misbehaving engine, which may be empty. phase: configure; readMirrors, move, connect (in tick 3);
+// invalidPoseReason, which is called before an entity is handed over to it.
 #include "../glide_engine.hpp"
 #include "actions.hpp"
 

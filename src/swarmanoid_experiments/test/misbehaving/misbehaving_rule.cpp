@@ -1,4 +1,4 @@
-// The same for a rule. phase: configure, reset; beforeTick, afterTick (with a clock of 3 ticks).
+// A misbehaving rule. phase: configure, reset; beforeTick, afterTick (with a clock of 3 ticks).
 #include "actions.hpp"
 #include "swarmanoid_space/rule.hpp"
 

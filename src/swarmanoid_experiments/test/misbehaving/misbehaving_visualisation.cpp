@@ -1,4 +1,4 @@
-// The same for an observer. phase: configure, draw (after tick 3), flush, finish; action: one of actions.cpp.
+// A misbehaving observer. phase: configure, draw (after tick 3), flush, finish; action: one of actions.cpp.
 #include <string>
 
 #include "actions.hpp"

@@ -18,7 +18,7 @@ std::string camera(const std::string& parameters) {
   return "<footbot_camera><range>9</range>" + parameters + "</footbot_camera>";
 }
 
-/// What the robot "watcher" sees, after the program has run once.
+/// Blobs that the robot "watcher" sees after one tick of the program.
 std::vector<ColorBlob> seenIn(ModelWorld world, const Program& others = {}) {
   std::vector<ColorBlob> seen;
   setProgram([&](Robot& robot) {
@@ -74,7 +74,7 @@ TEST(ModelsPageTest, BlobPoint) {
 }
 
 TEST(ModelsPageTest, BlobBearingAndDistance) {
-  // a watcher that is tilted, in no engine: roll, pitch and yaw
+  // a tilted watcher, in no engine: roll, pitch and yaw
   const double roll = 11.0 * kDegree;
   const double pitch = -19.0 * kDegree;
   const double yaw = 47.0 * kDegree;
@@ -98,7 +98,7 @@ TEST(ModelsPageTest, BlobBearingAndDistance) {
 }
 
 TEST(ModelsPageTest, LineOfSight) {
-  // to a prey's middle at 0.07 m, 1.3 m away; a thin wall at 0.9 m
+  // to a prey's centre at 0.07 m, 1.3 m away; a thin wall at 0.9 m
   const double line = 0.28 + 0.9 / 1.3 * (0.07 - 0.28);
   for (const double height : {line - 0.001, line + 0.001}) {
     ModelWorld world;
@@ -174,7 +174,7 @@ TEST(ModelsPageTest, BlobNoise) {
     }
     return std::sqrt(sum / static_cast<double>(values.size()));
   };
-  // the deviation of 4,000 draws is right within 1.1 %, five times over
+  // the relative standard error of a deviation from 4,000 draws is 1.1 %; five times that is allowed
   EXPECT_NEAR(deviation(factors, 1.0), 0.06, 0.06 * 0.056);
   EXPECT_NEAR(deviation(errors, 0.0), 3.0 * kDegree, 3.0 * kDegree * 0.056);
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDrag = 0.3 / 2.0;  // 1/s: N s/m on 2 kg
 
-/// Of the centre of mass, 0.28 m above the origin, which is what flies as commanded.
+/// Position of the centre of mass, 0.28 m above the origin; this point follows the velocity commands.
 Eigen::Vector3d centreOf(const Simulation& simulation) {
   const Pose& pose = poseOf(simulation, "eb");
   return pose.position + pose.orientation * Eigen::Vector3d(0.0, 0.0, 0.28);
@@ -29,7 +29,7 @@ std::unique_ptr<Simulation> eyebot(int clocktick) {
   return world.start();
 }
 
-/// How fast an eyebot flies a circle, in parts of the command: by turning itself, or by turning its velocity only.
+/// Speed of an eyebot on a circle as a fraction of the command, by turning itself or only its velocity.
 double speedInCircle(double turn_rate, bool yaws) {
   const double commanded = 0.23;
   double direction = 0.0;
@@ -65,8 +65,8 @@ TEST(ModelsPageTest, EyebotInCircles) {
   }
 }
 
-/// How far past the place where it was commanded to stop, for each m/s: of the page's equations, in steps of 0.1 ms.
-/// @param lags whether the body has to tilt first
+/// Overshoot past the position of the stop command, per m/s, from the page's equations in steps of 0.1 ms.
+/// @param lags whether the body must tilt first
 double overshootOf(double place_gain, double speed_gain, bool lags) {
   constexpr double kStep = 1e-4;
   double x = 0.0;

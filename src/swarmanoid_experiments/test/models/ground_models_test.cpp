@@ -12,7 +12,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Of the patches in the test, the last that is there, else of the white floor.
+/// Value of the last of the test's patches at that point, or of the white floor.
 double floorValueAt(double x, double y) {
   if (std::abs(x - 5.31) <= 0.085 && std::abs(y - 5.2) <= 0.55) {
     return (10.0 + 70.0 + 31.0) / 765.0;
@@ -20,7 +20,7 @@ double floorValueAt(double x, double y) {
   return std::hypot(x - 5.2, y - 5.1) <= 0.23 ? (200.0 + 90.0 + 17.0) / 765.0 : 1.0;
 }
 
-/// Along an arc over a disc and a strip that lies across it.
+/// Along an arc over a disc and a strip across it.
 TEST(ModelsPageTest, GroundReading) {
   ModelWorld world;
   world.footbot_sensors = "<footbot_ground/><footbot_base_ground/>";
@@ -60,7 +60,7 @@ TEST(ModelsPageTest, GroundReading) {
   EXPECT_EQ(seen.size(), 3U);
 }
 
-/// Of the paint under a footbot that stands, painted twice; white floor, half of what is painted is left after 1.7 s.
+/// Paint under a footbot at rest, applied twice, on a white floor; half of the paint remains after 1.7 s.
 TEST(ModelsPageTest, Paint) {
   constexpr double kRounding = 0.5 / 255.0;  // of each channel
   ModelWorld world;

@@ -19,7 +19,7 @@ const char* const kEngines[] = {"kinematics2d", "dynamics2d", "dynamics3d"};
 
 std::string subclockOf(const std::string& engine) { return engine == "dynamics3d" ? "<subclock>10</subclock>" : ""; }
 
-/// Where a point ahead and left of a footbot at (5, 5), which looks towards 63 degrees, is in W.
+/// Position in W of a point ahead and to the left of a footbot at (5, 5) with a heading of 63 degrees.
 Eigen::Vector2d fromFootbot(double ahead, double left) {
   const double cosine = std::cos(63.0 * kDegree);
   const double sine = std::sin(63.0 * kDegree);
@@ -32,7 +32,7 @@ struct Strip {
   double height;
 };
 
-/// What a footbot that closes its gripper holds after one tick: the number of the prey; 0: nothing.
+/// Number of the prey that a footbot holds one tick after it closes its gripper; 0: none.
 int grippedOf(const std::string& engine, const std::vector<Strip>& preys) {
   ModelWorld world;
   world.engine = engine;
@@ -55,7 +55,7 @@ int grippedOf(const std::string& engine, const std::vector<Strip>& preys) {
 
 TEST(ModelsPageTest, GripperReach) {
   const auto aside = [](double gap, double radius) {
-    // from the tip, at 0.11 m ahead, towards 50 degrees to the left
+    // from the tip, 0.11 m ahead, at 50 degrees to the left
     const double way = radius + gap;
     return Eigen::Vector2d(0.11 + way * std::cos(50.0 * kDegree), way * std::sin(50.0 * kDegree));
   };
@@ -125,7 +125,7 @@ TEST(ModelsPageTest, TurretWithoutLoad) {
       tick(*simulation);
       EXPECT_NEAR(angle(), std::min(0.3 * n, commanded), 1e-9) << engine << ", tick " << n;
     }
-    commanded = -2.9;  // the shorter way leads over pi
+    commanded = -2.9;  // the shorter way crosses pi
     tick(*simulation, 2);
     EXPECT_NEAR(angle(), 2.3 + 0.6, 1e-9) << engine;
     tick(*simulation);
@@ -159,7 +159,7 @@ TEST(ModelsPageTest, RopeShotAndWinding) {
   EXPECT_TRUE(state.attached);
   EXPECT_NEAR(state.length, way, 1e-4);
   tick(*simulation, 31 - number);
-  // commanded from tick 20 on, and read in tick 30, which is the state after ten of them
+  // commanded from tick 20 on, and read in tick 30: the state after ten ticks
   EXPECT_NEAR(state.length, way - 0.07 * 0.03 * 10, 1e-4);
 }
 

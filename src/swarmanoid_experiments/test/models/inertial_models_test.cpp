@@ -1,4 +1,4 @@
-// The formula of docs/reference/models.md, "Sensing": the inertial unit; and that unit in motions that engines make.
+// The formula of docs/reference/models.md, "Sensing": the inertial unit; and that unit in motions simulated by engines.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -38,7 +38,7 @@ TEST(ModelsPageTest, InertialReading) {
   for (std::size_t k = 1; k < readings.size(); ++k) {
     const Drive before = k == 1 ? Drive{0.0, 0.0} : drives[k - 2];
     const Drive& now = drives[k - 1];
-    // at the ends of both ticks it moves straight ahead, seen from the robot
+    // at the ends of both ticks it moves straight ahead in its own frame
     const double turning = (now.omega + before.omega) / 2.0;
     const Eigen::Vector3d expected((now.v - before.v) / kTick, turning * (now.v + before.v) / 2.0, 9.81);
     EXPECT_NEAR((readings[k].linear_acceleration - expected).norm(), 0.0, 1e-9) << "tick " << k;
@@ -46,8 +46,8 @@ TEST(ModelsPageTest, InertialReading) {
   }
 }
 
-/// In engines with forces the velocity is that at the end of the tick, to half a step: on an arc v omega towards the
-/// centre, which lies to the left of one that turns left.
+/// In engines with forces the velocity is that at the end of the tick, within half a step: on an arc the acceleration v
+/// omega points to the centre, which is to the left in a left turn.
 TEST(InertialEngineTest, AnArcIsFeltTowardsItsCentre) {
   constexpr double kSpeed = 0.17;  // m/s
   for (const char* engine : {"dynamics2d", "dynamics3d"}) {
@@ -59,7 +59,7 @@ TEST(InertialEngineTest, AnArcIsFeltTowardsItsCentre) {
       world.footbot_sensors = "<imu/>";
       world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 71.0);
       world.members = "fb";
-      constexpr int kStarting = 20;  // ticks, until it is up to speed
+      constexpr int kStarting = 20;  // ticks until it has reached its speed
       constexpr int kSteady = 20;
       int ticks = 0;
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -73,7 +73,7 @@ TEST(InertialEngineTest, AnArcIsFeltTowardsItsCentre) {
       });
       auto simulation = world.start();
       tick(*simulation, kStarting + kSteady);
-      const Eigen::Vector3d mean = sum / kSteady;  // without what contacts shake from step to step
+      const Eigen::Vector3d mean = sum / kSteady;  // averages out the shaking by contacts
       const std::string where = join(engine, ", turn rate ", omega);
       constexpr double kAllowed = 0.05 * 0.9 * kSpeed;
       EXPECT_NEAR(turning / kSteady, omega, 0.02 * 0.9) << where;
@@ -84,8 +84,8 @@ TEST(InertialEngineTest, AnArcIsFeltTowardsItsCentre) {
   }
 }
 
-/// A robot that drives an arc feels v omega towards its centre, and no difference where another engine takes it over.
-/// The velocity of dynamics2d is that at the end of a tick to half a step, v omega / (2 * 20) here.
+/// A robot on an arc measures v omega towards its centre, and no difference when another engine takes it over. The
+/// velocity of dynamics2d is that at the end of a tick within half a step, v omega / (2 * 20) here.
 TEST(InertialEngineTest, AHandoverOnAnArcIsNotFelt) {
   constexpr double kSpeed = 0.137;  // m/s
   for (const double omega : {0.58, -0.58}) {
@@ -116,7 +116,7 @@ TEST(InertialEngineTest, AHandoverOnAnArcIsNotFelt) {
   }
 }
 
-/// At rest it feels the gravity of the engine that moves the robot; in kinematics2d, which has none, that of the Earth.
+/// At rest the unit measures the gravity of the robot's engine; in kinematics2d, which has none, that of the Earth.
 TEST(InertialEngineTest, GravityIsThatOfTheEngine) {
   for (const char* engine : {"kinematics2d", "dynamics2d", "dynamics3d"}) {
     ModelWorld world;
@@ -134,7 +134,7 @@ TEST(InertialEngineTest, GravityIsThatOfTheEngine) {
   }
 }
 
-/// In free fall it feels nothing, also in the tick after gravity changes.
+/// In free fall the unit measures zero, also in the tick after a change of gravity.
 TEST(InertialEngineTest, GravityThatChangesInFreeFallIsNotFelt) {
   ModelWorld world;
   world.engine = "dynamics3d";
@@ -155,7 +155,8 @@ TEST(InertialEngineTest, GravityThatChangesInFreeFallIsNotFelt) {
   }
 }
 
-/// Each of the three robots may have one, in each engine: at rest it feels what holds it up (REP-145).
+/// Each of the three robot types may have the unit, in each engine: at rest it measures the supporting acceleration
+/// (REP-145).
 TEST(InertialEngineTest, AtRestEachRobotFeelsGravityUpwards) {
   for (const char* engine : {"kinematics2d", "dynamics2d", "dynamics3d"}) {
     for (const char* type : {"footbot", "eyebot", "handbot"}) {
@@ -176,7 +177,7 @@ TEST(InertialEngineTest, AtRestEachRobotFeelsGravityUpwards) {
   }
 }
 
-/// Who moves a robot takes its speed from it, 3 m/s2 in a tick: what it feels is how it starts again.
+/// Moving a robot from outside stops it. The unit measures only its new start, 3 m/s2 in a tick.
 TEST(InertialEngineTest, BeingMovedFromOutsideIsNotFelt) {
   ModelWorld world;
   world.wheels = "<differential_drive/>";

@@ -12,12 +12,12 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A source at a place in W, and its brightness.
+/// A light source at a position in W, with its brightness.
 struct LightSource {
   double x, y, z, brightness;
 };
 
-/// What the ring of a footbot at (5, 5), 17 degrees, reads, while another one at (5.9, 4.6), 66 degrees, lights its
+/// Readings of the ring of a footbot at (5, 5), 17 degrees, while another footbot at (5.9, 4.6), 66 degrees, lights its
 /// LED 3.
 std::vector<float> valuesIn(ModelWorld& world, Color led) {
   world.entities += robot("footbot", "fb", 5.0, 5.0, 0.0, 17.0) + robot("footbot", "other", 5.9, 4.6, 0.0, 66.0);

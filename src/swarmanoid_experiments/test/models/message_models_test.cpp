@@ -13,7 +13,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A footbot that drives an arc hears another one, and neither the one behind a wall nor the one that is too far.
+/// A footbot on an arc receives messages of another one, but not of one behind a wall or of one out of range.
 TEST(ModelsPageTest, RangeAndBearing) {
   ModelWorld world;
   world.footbot_sensors = "<range_and_bearing_received/>";

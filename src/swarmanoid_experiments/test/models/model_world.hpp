@@ -1,4 +1,4 @@
-/// Small worlds for the formulas of docs/reference/models.md: one engine, robots that do what a function says.
+/// Small worlds for the formulas of docs/reference/models.md: one engine, and robots that execute a function.
 #pragma once
 
 #include <cmath>
@@ -20,11 +20,11 @@ constexpr double kDegree = M_PI / 180.0;  // rad
 constexpr double kWheelRadius = 0.029;  // m
 constexpr double kSeparation = 0.14;    // m, of its wheels
 
-/// What robots do in each tick: read sensors, give commands. One for all robots, which have names.
+/// Executed by robots in each tick: reads sensors, sets commands. All robots share it, and differ by name.
 using Program = std::function<void(Robot&)>;
 void setProgram(Program program);
 
-/// Text from numbers and words.
+/// Concatenates numbers and words.
 template <class... Parts>
 std::string join(const Parts&... parts) {
   std::ostringstream text;
@@ -57,10 +57,10 @@ inline std::string block(const std::string& id, double x, double y, double z, co
   return entity("block", id, x, y, z, heading, "<size>" + size + "</size>" + more);
 }
 
-/// An experiment in pieces; SI units, but for the clocktick in milliseconds.
+/// Parts of an experiment; SI units, except the clocktick in milliseconds.
 struct ModelWorld {
   std::string entities;
-  std::string members;  ///< ids of what the engine moves, with spaces between
+  std::string members;  ///< ids of the entities that the engine moves, separated by spaces
   std::string engine = "kinematics2d";
   std::string engine_parameters;
   std::string more_engines;  ///< more elements of <engines>
@@ -93,7 +93,7 @@ inline const Pose& poseOf(const Simulation& simulation, std::string_view name) {
 inline const Twist& twistOf(const Simulation& simulation, std::string_view name) {
   return simulation.space().entities.twist[rowOf(simulation, name)];
 }
-/// About z [rad].
+/// Heading about z [rad].
 inline double headingOf(const Simulation& simulation, std::string_view name) {
   const Eigen::Vector3d ahead = poseOf(simulation, name).orientation * Eigen::Vector3d::UnitX();
   return std::atan2(ahead.y(), ahead.x());

@@ -1,5 +1,5 @@
-// Each formula of docs/reference/models.md has a test of its name in this program, and each test a formula there; and
-// its constants are those of robots and engines.
+// Each formula of docs/reference/models.md has a test of its name in this program, each test has a formula there, and
+// the constants are those of robots and engines.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -15,7 +15,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// "Blob bearing and distance" as BlobBearingAndDistance.
+/// Converts "Blob bearing and distance" to BlobBearingAndDistance.
 std::string nameOf(const std::string& heading) {
   std::string name;
   bool is_start = true;

@@ -50,7 +50,7 @@ TEST(ModelsPageTest, WheelNoise) {
   constexpr int kTicks = 1500;
   for (int i = 0; i < kTicks; ++i) {
     tick(*simulation);
-    // what turns it in one tick is the difference of its two wheels' factors
+    // the turn in one tick comes from the difference of the two wheels' factors
     const double factor = twistOf(*simulation, "fb").angular.z() * kSeparation / speed;
     sum += factor;
     squares += factor * factor;
@@ -89,7 +89,7 @@ TEST(ModelsPageTest, Tipping) {
   const double limit = std::atan(0.05075 / ((1.6 * 0.07 + 0.2 * 0.029) / 1.8)) / kDegree;
   ASSERT_NEAR(limit, 37.8, 0.1);
   for (const double slope : {limit - 1.5, limit + 1.5}) {
-    // on a plate that is turned about y; the footbot looks uphill, and does not slide
+    // on a plate tilted about y; the footbot faces uphill, and does not slide
     const double sine = std::sin(slope * kDegree);
     const double cosine = std::cos(slope * kDegree);
     const auto turned = [&](const char* type, const char* id, double above, const std::string& more) {
@@ -111,7 +111,7 @@ TEST(ModelsPageTest, Tipping) {
   }
 }
 
-/// A footbot pulls or turns a prey and lets go of it in tick 300 of 10 ms.
+/// A footbot pulls or turns a prey and releases it in tick 300 of 10 ms.
 std::unique_ptr<Simulation> letGo(int subclock, double speed, double turn_rate) {
   ModelWorld world;
   world.engine = "dynamics2d";
@@ -124,7 +124,7 @@ std::unique_ptr<Simulation> letGo(int subclock, double speed, double turn_rate) 
   int ticks = 0;
   setProgram([=](Robot& robot) mutable {
     robot.actuator<FootbotGripper>().closed = ticks < 300;
-    const bool goes_away = ticks > 300;  // so that the prey does not run into it
+    const bool goes_away = ticks > 300;  // so that the prey does not hit it
     robot.actuator<FootbotWheels>().drive(goes_away ? -0.29 : speed, goes_away ? 0.0 : turn_rate);
     ++ticks;
   });
@@ -150,8 +150,8 @@ TEST(ModelsPageTest, Sliding) {
   }
 }
 
-/// Per second, of an evenly loaded disc that slides and turns: how fast both fall. The disc is cut into rings of equal
-/// areas.
+/// Decelerations, linear and angular, of an evenly loaded disc that slides and turns. The disc is divided into rings of
+/// equal area.
 std::pair<double, double> slowingOf(double v, double omega, double radius, double friction) {
   constexpr int kRings = 20;
   constexpr int kAround = 36;
@@ -190,7 +190,7 @@ TEST(ModelsPageTest, Spinning) {
   }
 }
 
-/// How far a footbot stays from a wall that it drives against. @param speed negative: backwards
+/// Distance that a footbot keeps from a wall that it drives against. @param speed negative: backwards
 double gapIn(const std::string& engine, int subclock, double speed) {
   ModelWorld world;
   world.engine = engine;
@@ -204,7 +204,7 @@ double gapIn(const std::string& engine, int subclock, double speed) {
   const Pose& pose = poseOf(*simulation, "fb");
   double reach = pose.position.x() + 0.085;
   for (const double y : {-0.02, 0.02}) {
-    for (const double z : {0.035, 0.065}) {  // corners of the gripper; a footbot that pushes leans back
+    for (const double z : {0.035, 0.065}) {  // corners of the gripper; a pushing footbot leans back
       reach = std::max(reach, (pose.position + pose.orientation * Eigen::Vector3d(0.11, y, z)).x());
     }
   }

@@ -1,4 +1,5 @@
-// The formula of docs/reference/models.md, "Sensing": odometry; and encoders and odometry in motions that engines make.
+// The formula of docs/reference/models.md, "Sensing": odometry; and encoders and odometry in motions simulated by
+// engines.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -27,7 +28,7 @@ ModelWorld drivingWorld(const std::string& engine, double x = 5.0, double y = 5.
   return world;
 }
 
-/// Where the robot really is, as seen from where it was put.
+/// True pose of the robot relative to its start pose.
 struct Truth {
   Eigen::Vector2d position;
   double heading;
@@ -39,7 +40,7 @@ Truth truthFrom(const Simulation& simulation, const Eigen::Vector2d& start, doub
   return {back * way, std::remainder(headingOf(simulation, "fb") - start_heading, 2.0 * M_PI)};
 }
 
-/// A program that drives and notes what is read.
+/// A program that drives and records readings.
 struct Driver {
   double speed = 0.0;
   double turn_rate = 0.0;
@@ -53,7 +54,7 @@ struct Driver {
       robot.actuator<DifferentialDrive>().drive(speed, turn_rate);
     });
   }
-  /// Drives for some ticks. What is read is as of their end.
+  /// Drives for some ticks. The readings are those at their end.
   void drive(Simulation& simulation, double v, double omega, int ticks) {
     speed = v;
     turn_rate = omega;
@@ -78,7 +79,7 @@ TEST(ModelsPageTest, OdometryPoseAndCovariance) {
   double right_turned = 0.0;
   for (const auto& [v, omega, ticks] : legs) {
     driver.drive(*simulation, v, omega, static_cast<int>(ticks));
-    // the pose: the arc in one piece
+    // pose: the arc as a whole
     const double time = ticks * kTick;
     const double x_before = x;
     const double y_before = y;
@@ -86,7 +87,7 @@ TEST(ModelsPageTest, OdometryPoseAndCovariance) {
     heading += omega * time;
     x += omega == 0.0 ? v * time * std::cos(heading) : v / omega * (std::sin(heading) - std::sin(heading_before));
     y += omega == 0.0 ? v * time * std::sin(heading) : -v / omega * (std::cos(heading) - std::cos(heading_before));
-    // the covariance: tick by tick, with derivatives by differences of the arc
+    // covariance: tick by tick, with derivatives as finite differences of the arc
     double tick_x = x_before;
     double tick_y = y_before;
     double tick_heading = heading_before;
@@ -126,7 +127,7 @@ TEST(ModelsPageTest, OdometryPoseAndCovariance) {
     EXPECT_NEAR(driver.encoders.left.turned, left_turned, 1e-9);
     EXPECT_NEAR(driver.encoders.right.turned, right_turned, 1e-9);
     for (int i = 0; i < 9; ++i) {
-      // to first order in what turns in a tick
+      // to first order in the turn per tick
       EXPECT_NEAR(driver.odometry.covariance[static_cast<std::size_t>(i)], covariance(i / 3, i % 3),
                   2e-3 * covariance.norm())
           << "entry " << i;
@@ -135,7 +136,7 @@ TEST(ModelsPageTest, OdometryPoseAndCovariance) {
   }
 }
 
-/// Without slip odometry agrees with the truth: to rounding where wheels mean velocities, else as far as treels hold.
+/// Without slip odometry agrees with the truth: up to rounding if wheels set velocities, else as well as treels hold.
 TEST(OdometryEngineTest, AgreesWithTheTruthWhereNothingSlips) {
   const struct Case {
     const char* engine;
@@ -151,7 +152,7 @@ TEST(OdometryEngineTest, AgreesWithTheTruthWhereNothingSlips) {
     driver.drive(*simulation, 0.137, 0.43, 61);
     driver.drive(*simulation, -0.081, 0.43, 13);
     driver.drive(*simulation, 0.19, 0.0, 22);
-    driver.drive(*simulation, 0.0, 0.0, 10);  // until all has come to rest
+    driver.drive(*simulation, 0.0, 0.0, 10);  // until the robot is at rest
     const Truth truth = truthFrom(*simulation, {5.0, 5.0}, 71.0 * kDegree);
     EXPECT_GT(truth.position.norm(), 0.2) << expected.engine;
     EXPECT_NEAR(driver.odometry.x, truth.position.x(), expected.allowed_way) << expected.engine;
@@ -162,7 +163,7 @@ TEST(OdometryEngineTest, AgreesWithTheTruthWhereNothingSlips) {
   }
 }
 
-/// A wall holds the robot; its wheels turn on, and odometry believes them.
+/// A wall blocks the robot; its wheels turn on, and odometry follows them.
 TEST(OdometryEngineTest, WheelsOfABlockedRobotTurnOn) {
   for (const char* engine : {"kinematics2d", "dynamics2d", "dynamics3d"}) {
     ModelWorld world = drivingWorld(engine, 5.0, 5.0, 0.0);

@@ -1,4 +1,4 @@
-// Eyebots that fly to places, and their altimeters and barometers meanwhile, in engines.
+// Eyebots that fly to positions, and the readings of their altimeters and barometers, in engines.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -36,7 +36,7 @@ TEST(ModelsPageTest, ProximityNoise) {
   ModelWorld world;
   world.footbot_sensors = "<footbot_proximity><noise>0.3</noise></footbot_proximity>";
   const double s = 0.1 * (1.0 - std::cbrt(0.05));  // reads 0.05 without noise
-  // sensor 6 looks left, at right angles to the wall
+  // sensor 6 faces left, perpendicular to the wall
   world.entities =
       robot("footbot", "fb", 5.0, 5.0, 0.0, -90.0) + block("wall", 5.0 + 0.085 + s + 0.1, 5.0, 0.25, "0.2,3,0.5");
   std::vector<double> values;
@@ -51,7 +51,7 @@ TEST(ModelsPageTest, ProximityNoise) {
   EXPECT_NEAR(zeros / 4000.0, 0.25 / 0.6, 5.0 * std::sqrt(0.24 / 4000.0)) << "what falls below 0 is cut";
   EXPECT_LE(*std::max_element(values.begin(), values.end()), 0.35 + 1e-6);
   EXPECT_GT(*std::max_element(values.begin(), values.end()), 0.345);
-  // sensor 18 looks away from the wall and reads 0 without noise
+  // sensor 18 faces away from the wall and reads 0 without noise
   EXPECT_NEAR(static_cast<double>(std::count(behind.begin(), behind.end(), 0.0)) / 4000.0, 0.5,
               5.0 * 0.5 / std::sqrt(4000.0));
   const double mean = std::accumulate(behind.begin(), behind.end(), 0.0) / 4000.0;

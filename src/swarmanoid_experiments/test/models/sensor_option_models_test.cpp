@@ -1,5 +1,5 @@
-// The formulas of docs/reference/models.md, "Sensing", of sensors as they are on robots: printed floors,
-// distances that fold back, a scanner that samples in time.
+// The formulas of docs/reference/models.md, "Sensing", for sensors with the properties of real ones: printed floors,
+// distances that fold back, a scanner that samples over time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ TEST(SensorOptionTest, PrintedRedLooksAlmostWhiteAndPrintedGreyDark) {
   EXPECT_NEAR(values[1], 0.05 + 0.95 * 0.215861, 1e-6);
 }
 
-/// A scanner whose head stands; its left beam looks at a wall, from 0.12 m to 0.35 m away.
+/// A scanner with its head at rest; its left beam hits a wall, from 0.12 m to 0.35 m away.
 TEST(ModelsPageTest, DistanceThatFoldsBack) {
   for (const double away : {0.115, 0.15, 0.19, 0.21, 0.35}) {
     ModelWorld world;
@@ -94,7 +94,7 @@ TEST(ModelsPageTest, DistanceThatFoldsBack) {
   }
 }
 
-/// The robot drives straight on, its head turns, and all four walls are in the way of the beams.
+/// The robot drives straight on with its head turning, and the beams hit all four walls.
 TEST(ModelsPageTest, ScannerSamples) {
   constexpr double kSpeed = 0.23;  // m/s
   constexpr double kTurn = 2.1;    // rad/s, of the head
@@ -119,7 +119,7 @@ TEST(ModelsPageTest, ScannerSamples) {
     int measured = 0;
     for (int k = 1; k < kTicks; ++k) {
       std::size_t i = 0;
-      // simulated time begins at 1 s
+      // simulated time starts at 1 s
       const double end = 1.0 + kPeriod * k;
       for (double n = std::floor((end - kPeriod) * rate + 1e-6) + 1.0; n <= end * rate + 1e-6; n += 1.0, ++i) {
         const double since_start = n / rate - 1.0;

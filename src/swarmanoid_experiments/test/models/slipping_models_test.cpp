@@ -1,5 +1,5 @@
-// The formulas of docs/reference/models.md, "Wheels that slip": how far odometry drifts from the truth, as a mean and a
-// spread over many robots; and that wheels slip likewise in each engine.
+// The formulas of docs/reference/models.md, "Wheels that slip": drift of odometry from the truth, as mean and deviation
+// over many robots; and equal slip in each engine.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,7 +41,7 @@ struct Statistics {
   }
 };
 
-/// Expects what a normal distribution gives in all but 1 of 10,000 tests.
+/// A normal distribution fails this in 1 of 10,000 tests.
 void expectDistribution(const std::vector<double>& values, double mean, double deviation, const std::string& what) {
   constexpr double kFar = 4.0;  // standard errors
   const Statistics found(values);
@@ -50,12 +50,12 @@ void expectDistribution(const std::vector<double>& values, double mean, double d
   EXPECT_NEAR(found.deviation, deviation, kFar * deviation / std::sqrt(2.0 * count)) << what;
 }
 
-/// What many robots have done that drive straight ahead, as they believe.
+/// Results of many robots that drive straight ahead according to their odometry.
 struct Drift {
-  std::vector<double> ahead;     // where they are, m
-  std::vector<double> aside;     // likewise, to the left, m
+  std::vector<double> ahead;     // true position ahead, m
+  std::vector<double> aside;     // true position to the left, m
   std::vector<double> heading;   // rad
-  std::vector<double> believed;  // the way by odometry, m
+  std::vector<double> believed;  // distance by odometry, m
 };
 
 Drift driveStraight(const std::string& wheels, double v, int ticks) {
@@ -100,7 +100,7 @@ TEST(ModelsPageTest, WheelsThatSlip) {
   constexpr int kTicks = 26;
   const double way = kSpeed * kDriftTick * kTicks;
 
-  // slips that differ: the heading
+  // different slips: the heading
   const Drift turned = driveStraight(slipping(0.083, 0.031, 0.047), kSpeed, kTicks);
   expectDistribution(turned.heading, way * (0.083 - 0.031) / kSeparation,
                      0.047 * way / kSeparation * std::sqrt(2.0 / kTicks), "heading");
@@ -108,7 +108,7 @@ TEST(ModelsPageTest, WheelsThatSlip) {
     EXPECT_NEAR(believed, way, 1e-9) << "encoders count what wheels turn";
   }
 
-  // equal slips: the place, to first order in the heading, which stays below 0.1 rad
+  // equal slips: the position, to first order in the heading, which stays below 0.1 rad
   constexpr double kSlip = 0.064;
   constexpr double kNoise = 0.029;
   const Drift shifted = driveStraight(slipping(kSlip, kSlip, kNoise), kSpeed, kTicks);
@@ -139,7 +139,7 @@ TEST(SlippingWheelsTest, TheGroundIsSlowerThanTheWheelsInEachEngine) {
     auto simulation = world.start();
     tick(*simulation, 50);
     speed = 0.0;
-    tick(*simulation, 10);  // until it has come to rest
+    tick(*simulation, 10);  // until the robot is at rest
     const double way = poseOf(*simulation, "fb").position.x() - 5.0;
     EXPECT_NEAR(read.x, 0.565, 0.01) << engine;
     EXPECT_NEAR(way, (1.0 - kSlip) * read.x, 0.005) << engine;

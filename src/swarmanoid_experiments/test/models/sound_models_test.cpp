@@ -23,7 +23,7 @@ struct Source {
   }
 };
 
-/// What the microphones of a footbot read that stands there.
+/// Expected readings of the microphones of a footbot with that pose.
 FootbotMicrophones expectedAt(const Pose& pose, const std::vector<Source>& sources) {
   const double background = std::pow(10.0, 3.7);
   FootbotMicrophones expected;
@@ -60,8 +60,8 @@ void expectEqual(const FootbotMicrophones& heard, const FootbotMicrophones& expe
   EXPECT_EQ(heard.loudest.frequency, expected.loudest.frequency);
 }
 
-/// A footbot that drives an arc hears a loudspeaker, one that a wall shadows, and another footbot that calls in every
-/// second tick; not one that is too far.
+/// A footbot on an arc hears a loudspeaker, one shadowed by a wall, and another footbot that calls in every second
+/// tick, but not a source out of range.
 void listenIn(const std::string& engine) {
   SCOPED_TRACE(engine);
   ModelWorld world;
@@ -98,7 +98,7 @@ void listenIn(const std::string& engine) {
     const Pose pose = poseOf(*simulation, "hears");
     std::vector<Source> sources{{{4.1, 5.6, 0.73}, free_level, 300.0}, {{5.2, 6.4, 0.1}, 66.0 - 11.0, 410.0}};
     if (i % 2 == 1) {
-      // what was called in the tick before
+      // the call of the tick before
       sources.push_back({poseOf(*simulation, "calls").toWorld({0.0, 0.0, 0.073}), 71.0, 880.0});
     }
     tick(*simulation);

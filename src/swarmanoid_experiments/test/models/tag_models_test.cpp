@@ -15,7 +15,7 @@
 namespace swarmanoid::test {
 namespace {
 
-/// A footbot that drives over tags reads those within reach, and writes to the nearest how many ticks there were.
+/// A footbot that drives over tags reads those within reach, and writes the tick count to the nearest one.
 void driveOverTagsIn(const std::string& engine) {
   SCOPED_TRACE(engine);
   ModelWorld world;

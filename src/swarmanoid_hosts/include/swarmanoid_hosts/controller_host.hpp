@@ -1,7 +1,7 @@
 /// Runs controllers without a space in the same process: a sensor frame is the input, a command frame the output.
 ///
 /// The controllers get the same input as in the space's process, to the last bit: their robots' names, the seed, the
-/// time and the readings are the same. When the space is reset, or a robot comes back, its controller starts anew.
+/// time and the readings are the same. When the space is reset, or a robot returns, its controller is restarted.
 ///
 /// Threads  all functions are called from one thread.
 #pragma once

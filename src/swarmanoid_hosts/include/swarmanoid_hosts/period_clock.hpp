@@ -1,5 +1,5 @@
-/// A clock of periods of equal length on a grid: it returns when each period begins, and counts those that were missed
-/// because a step took too long. A missed period is left out, never made up for.
+/// A clock of periods of equal length on a grid: it returns the start of each period, and counts those that were missed
+/// because a step took too long. Missed periods are skipped, never made up for.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace swarmanoid {
 
 class PeriodClock {
  public:
-  /// The first period begins at `start`, on whatever clock the caller uses.
+  /// The first period begins at `start`, on any clock of the caller.
   PeriodClock(Duration start, Duration period) : start_(start), period_(period) {}
 
   /// Returns the time at which the next period begins.

@@ -1,16 +1,16 @@
-/// The configuration of a robot's host: which of its devices a controller uses and how, how often, and when the robot
-/// is stopped. On a robot this is a YAML file (docs/how-to/run_on_a_robot.md); here it is a Configuration, from any
+/// The configuration of a robot's host: the devices of its controller and their topics, the rate, and the conditions of
+/// the safe stop. On a robot this is a YAML file (docs/how-to/run_on_a_robot.md); here it is a Configuration, from any
 /// source.
 ///
-///     robot_type: footbot                       one that devices name, or of a robot with devices for any robot only
+///     robot_type: footbot                       a type that devices name; any, with devices for any robot only
 ///     rate: 10                                  of the controller [Hz], 0.1 to 1000
 ///     seed: 1                                   of robot.random()
 ///     sensors: [footbot_proximity]              device types
 ///     actuators: [footbot_wheels]
-///     topics: {footbot_wheels: cmd_vel}         where a device has several; otherwise the first
+///     topics: {footbot_wheels: cmd_vel}         for a device with several; default: the first
 ///     parameters: {speed: 0.1}                  of the controller
-///     sensor_timeout: 0.5                       a sensor that is silent for longer is lost [s]
-///     start_timeout: 10                         for all devices to be there [s]
+///     sensor_timeout: 0.5                       a sensor without messages for longer is lost [s]
+///     start_timeout: 10                         limit of the wait for all devices [s]
 ///     safe_stop: {hover: 2, descend_speed: 0.3, descend_time: 8}   of an eyebot [s, m/s, s]
 ///
 /// Robot type, sensors and actuators must be given; the others have the values above, no topics and no parameters.
@@ -50,7 +50,7 @@ struct RobotConfiguration {
   SafeStopSettings safe_stop;
 };
 
-/// @throws ConfigError with the value's place, what was found and what is allowed; also for unknown names
+/// @throws ConfigError with the value's location, the value found and the allowed values; also for unknown names
 RobotConfiguration readRobotConfiguration(const Configuration& values, const std::vector<KnownDevice>& known);
 
 }  // namespace swarmanoid

@@ -1,14 +1,15 @@
 /// One robot and its controller, period after period, without ROS: the caller, which has the robot's devices, passes
 /// their readings and the time, and sends the commands when `tick` returns true.
 ///
-///     waiting ----> running <----> stopped      all devices are there; sensors are lost; all are back
+///     waiting ----> running <----> stopped      all devices are present; sensors are lost; all are back
 ///        |             |              |
-///        |             +--> ending <--+         the controller failed, or the end was asked for
+///        |             +--> ending <--+         the controller failed, or the end was requested
 ///        |                     |
 ///        +------> over <-------+                devices are missing at the start; the safe stop is done
 ///
-/// While stopped and while ending, commands are the safe stop's (safe_stop.hpp). While stopped the controller is not
-/// stepped and its time stands still; it goes on where it was, without a reset. After a failure it never goes on.
+/// While stopped and while ending, commands are those of the safe stop (safe_stop.hpp). While stopped the controller is
+/// not stepped and its time does not advance; afterwards it continues without a reset. After a failure it never
+/// continues.
 ///
 /// Time     the controller's time is kEpoch at its first step and advances by whole periods, missed ones included; dt
 ///          is the time since its last step. `now` is the time of any steady clock.
@@ -52,7 +53,7 @@ class RobotLoop {
     bool is_heard = false;  ///< whether a receiver of its commands is connected
   };
 
-  /// Makes the controller. @param label the controller's, for the record
+  /// Makes the controller. @param label of the controller, for the record
   /// @throws std::runtime_error for a device whose fields are not registered; the exception of the controller's init
   RobotLoop(const std::string& robot, const std::string& label, RobotConfiguration configuration,
             ControllerHost::Factory make, const Robot::LogSink& log, Duration now);
@@ -81,7 +82,7 @@ class RobotLoop {
   const Registration& registration() const { return registration_; }
   const std::vector<Robot::DebugValue>& debugValues() const { return debug_values_; }
   std::uint64_t steps() const { return steps_; }
-  /// Returns how often sensors were lost.
+  /// Returns the number of times that sensors were lost.
   std::uint64_t stops() const { return stops_; }
 
  private:
@@ -103,7 +104,7 @@ class RobotLoop {
   std::deque<Sensor> sensors_;
   std::deque<Actuator> actuators_;
   Registration registration_;
-  Robot robot_;  ///< robot for the safe stop, with the sensors as they are here
+  Robot robot_;  ///< robot for the safe stop, with the sensors of this loop
   std::unique_ptr<ControllerHost> host_;
   SensorFrame frame_;
   const CommandFrame* answer_ = nullptr;

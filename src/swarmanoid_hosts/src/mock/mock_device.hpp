@@ -1,5 +1,5 @@
-/// Base of mock devices: what a device of a mock robot does. Each is a file in devices/, which the build finds by
-/// itself:
+/// Base of mock devices, which implement the devices of a mock robot. Each is a file in devices/, which the build finds
+/// automatically:
 ///
 ///     class MockSonar final : public MockDevice {
 ///      public:
@@ -11,8 +11,8 @@
 ///     };
 ///     REGISTER_MOCK_DEVICE(Sonar, MockSonar)
 ///
-/// A device without such a file gets the generic mock: a sensor says what it says at rest, an actuator takes commands
-/// and stops safely, without effect. A law that simulator and mock share stands in the device's header.
+/// A device without such a file gets the generic mock: a sensor keeps its readings at rest, an actuator accepts
+/// commands and stops safely, without effect. Laws that simulator and mock share are in the device's header.
 #pragma once
 
 #include <memory>
@@ -34,11 +34,11 @@ class MockDevice {
 
   /// Carries out a command: turns joints, sets the velocity with which the robot moves next. @param dt [s]
   virtual void act(MockState& /*state*/, double /*dt*/) {}
-  /// Carries out what depends on the place to which the robot has moved: what is held goes with it.
+  /// Updates the state after the robot's motion: held objects move with the robot.
   virtual void follow(MockState& /*state*/) {}
   /// Writes readings.
   virtual void sense(const MockState& /*state*/) {}
-  /// Whether drivers publish the device's command as its state, at each change: people can see it.
+  /// Returns whether drivers publish the device's command as its state at each change, because people can see it.
   virtual bool isShown() const { return false; }
 };
 
@@ -54,8 +54,8 @@ struct MockDeviceRegistration {
 
 }  // namespace swarmanoid::mock
 
-/// @param Mock a class with a constructor that takes the device and the state. It is called once: the world is read by
-/// then, and the robot is placed where `start` and `start_yaw` say afterwards, so it may set the usual pose.
+/// @param Mock a class with a constructor that takes the device and the state. It is called once, after the world is
+/// read and before the robot is placed at `start` and `start_yaw`, so it may set a default pose.
 #define REGISTER_MOCK_DEVICE(Device, Mock)                                                                         \
   static const ::swarmanoid::mock::MockDeviceRegistration SWARMANOID_CONCATENATE(mock_registration_, __COUNTER__)( \
       Device::kType,                                                                                               \

@@ -1,7 +1,7 @@
 /// Simulates a robot by simple kinematics behind the devices of a real one, without ROS. Mock robots serve to try
 /// controllers and hosts, not for experiments: no body has mass, no bodies collide, readings have no noise.
 ///
-/// A robot is nothing but its devices (mock_device.hpp) and a state that they share (mock_state.hpp).
+/// A robot consists of its devices (mock_device.hpp) and a state that they share (mock_state.hpp).
 #pragma once
 
 #include <memory>
@@ -45,8 +45,8 @@ class MockRobot {
   std::vector<Device> devices_;
 };
 
-/// Returns the devices of a mock robot of that type: those that only robots of that type have, and `others`. A robot of
-/// no type, "", has the others only.
+/// Returns the devices of a mock robot of that type: those that only robots of that type have, and `others`. The type
+/// "" has the others only.
 /// @throws ConfigError at `location` for a device that is not known, and for a type without any device
 std::vector<std::string> devicesOf(const std::string& robot_type, const std::vector<std::string>& others,
                                    const SourceLocation& location);
@@ -55,8 +55,8 @@ std::vector<std::string> devicesOf(const std::string& robot_type, const std::vec
 /// readWorld. @throws ConfigError
 std::unique_ptr<MockRobot> makeMockRobot(const std::vector<std::string>& devices, const Configuration& values);
 
-/// Does what a driver does when commands are missing: after `timeout` an actuator that had commands gets those of its
-/// safe stop, until a command comes again.
+/// The command watchdog of a driver: an actuator without a new command for `timeout` gets those of its safe stop until
+/// the next command. Actuators that have had no command yet are not stopped.
 class CommandWatchdog {
  public:
   /// @param timeout [s]
@@ -64,9 +64,9 @@ class CommandWatchdog {
 
   /// @param device index in MockRobot::devices
   void commanded(std::size_t device) { silence_[device] = 0.0; }
-  /// Is called before the robot moves. @param dt [s]
+  /// Call it before the robot moves. @param dt [s]
   void advance(double dt);
-  /// Returns whether no command has come for longer than `timeout`, so that the actuator is being stopped.
+  /// Returns whether the last command is older than `timeout`, so that the actuator is being stopped.
   bool hasExpired(std::size_t device) const { return silence_[device] > timeout_; }
 
  private:

@@ -1,7 +1,7 @@
-/// The state of a mock robot: what its mock devices read and write. They know each other by this state only.
+/// The state of a mock robot, which its mock devices read and write. They interact only through this state.
 ///
 /// Joints and holders have names, as the mechanisms in a robot's description have: "turret", "gripper". A joint or
-/// holder that nobody has written yet is at rest.
+/// holder that no device has written yet is at rest.
 #pragma once
 
 #include <limits>
@@ -25,19 +25,19 @@ struct Joint {
   double angle = 0.0;  ///< [rad]
   double speed = 0.0;  ///< [rad/s]
 
-  /// Turns by `way`, or as far as `fastest` allows. @param way [rad] @param fastest [rad/s] @param dt [s]
+  /// Turns by `way`, limited by the speed `fastest`. @param way [rad] @param fastest [rad/s] @param dt [s]
   void turn(double way, double fastest, double dt);
 };
 
-/// What a gripper, a magnet, a suction cup or a rope holds.
+/// The state of a gripper, a magnet, a suction cup or a rope.
 struct Holder {
   bool is_holding = false;
-  double length = 0.0;                ///< of a rope that is out [m]
-  double force = 0.0;                 ///< on what is held [N]
-  std::optional<std::size_t> beacon;  ///< what is held, in the world's list
+  double length = 0.0;                ///< of the unwound rope [m]
+  double force = 0.0;                 ///< on the held object [N]
+  std::optional<std::size_t> beacon;  ///< index of the held object in World::beacons
 };
 
-/// A message that the robot sends by one of its devices.
+/// A message that the robot sends with one of its devices.
 struct Saying {
   std::vector<std::uint8_t> payload;
   RadioAddress to = kEverybody;
@@ -48,20 +48,20 @@ struct MockState {
   Pose pose;
   /// The velocity that the drives command, and after the motion the one that the robot had.
   Twist twist;
-  /// Whether a device flies the robot to a place: devices that command velocities leave it alone meanwhile.
+  /// True while a device flies the robot to a position; devices that command velocities then have no effect.
   bool flies_to_place = false;
-  /// Height over which the robot cannot rise [m].
+  /// Maximum height of the robot [m].
   double top = std::numeric_limits<double>::infinity();
-  /// Whether something holds the robot in its place, so that it does not move.
+  /// True while a device holds the robot in its place, so that it does not move.
   bool is_fixed = false;
   std::map<std::string, Joint> joints;
   std::map<std::string, Holder> holders;
   /// Spots of light on the ground, by the device that makes them: cameras see them as they see beacons.
   std::map<std::string, Beacon> spots;
-  /// What the robot says, by the type of the device that sends; it is silent by those that are not here.
+  /// The messages that the robot sends, by the type of the sending device; devices without an entry are silent.
   std::map<std::string, Saying> sayings;
 
-  /// Return those of a name, at rest if nobody has written it.
+  /// Return the joint or holder of a name, at rest if no device has written it.
   Joint joint(const std::string& name) const;
   Holder holder(const std::string& name) const;
 

@@ -1,4 +1,4 @@
-/// What mock joints without stops have in common: how their motors turn them.
+/// The motors of mock joints without stops.
 #pragma once
 
 #include "mock_state.hpp"
@@ -6,7 +6,7 @@
 
 namespace swarmanoid::mock {
 
-/// Turns a joint to an angle, the shorter way, or at a speed; nothing turns a passive one.
+/// Turns a joint to an angle, the shorter way, or at a speed; a passive joint does not turn.
 /// @param motor has `mode`, one of kAngle, kSpeed and kPassive, and `angle` and `speed` @param fastest [rad/s]
 template <class Motor>
 void turnByMotor(const Motor& motor, double fastest, double dt, Joint& joint) {

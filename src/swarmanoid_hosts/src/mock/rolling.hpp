@@ -1,11 +1,11 @@
-/// What mock sensors of wheels have in common: the wheels roll as the robot moves over the ground, and never slip.
+/// Base of mock sensors of wheels: the wheels roll as the robot moves over the ground, and never slip.
 #pragma once
 
 #include "mock_device.hpp"
 
 namespace swarmanoid::mock {
 
-/// `Device` is the readings.
+/// @tparam Device the struct of the readings
 template <class Device>
 class RollingDevice : public MockDevice {
  public:
@@ -22,7 +22,7 @@ class RollingDevice : public MockDevice {
   }
 
  protected:
-  /// @param left, right how far the wheels have rolled in this period [m] @param dt its length [s]
+  /// @param left, right distances that the wheels have rolled in this period [m] @param dt length of the period [s]
   virtual void roll(double left, double right, const World::Wheels& wheels, double dt) = 0;
 
   Device& readings_;

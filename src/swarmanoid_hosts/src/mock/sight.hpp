@@ -1,4 +1,4 @@
-/// What cameras of mock robots have in common: they see beacons and spots of light, and nothing hides anything.
+/// Common parts of mock cameras: they see beacons and spots of light, without occlusion.
 #pragma once
 
 #include <functional>
@@ -9,20 +9,20 @@
 
 namespace swarmanoid::mock {
 
-/// What a camera sees.
+/// The field of view of a camera.
 struct View {
-  Eigen::Vector3d camera;  ///< where it sits, in the robot's frame [m]
-  double range;            ///< horizontal distance beyond which it sees nothing [m]
-  /// Whether something within that range is in its picture. @param way to it from the camera, in the robot's frame [m]
+  Eigen::Vector3d camera;  ///< position in the robot's frame [m]
+  double range;            ///< maximum horizontal distance [m]
+  /// Returns whether an object in range is in the picture. @param way from the camera to it, in the robot's frame [m]
   std::function<bool(const Eigen::Vector3d& way)> shows = [](const Eigen::Vector3d& /*way*/) { return true; };
-  bool knows_distance = true;  ///< or it says NaN
+  bool knows_distance = true;  ///< else reported distances are NaN
 };
 
 /// Returns the blobs that a camera of the robot reports: beacons in the order of the world's file, then spots. All are
 /// as small as LEDs.
 std::vector<ColorBlob> blobsInView(const MockState& state, const View& view);
 
-/// The mock of a camera, of which its class says the view.
+/// The mock of a camera; derived classes define its view.
 template <class Camera>
 class MockCamera : public MockDevice {
  public:

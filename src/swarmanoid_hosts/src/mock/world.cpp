@@ -27,7 +27,7 @@ std::vector<std::uint8_t> readBytes(const Configuration& beacon) {
   if (says == nullptr) {
     return bytes;
   }
-  std::istringstream text(says->text() + ",");  // so that each byte is one before a comma, and nothing else is one
+  std::istringstream text(says->text() + ",");  // with the last comma, an empty item at the end is read too
   for (std::string byte; std::getline(text, byte, ',');) {
     bytes.push_back(static_cast<std::uint8_t>(parseInteger(byte, "says", says->location(), {0.0, 255.0})));
   }
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> readBytes(const Configuration& beacon) {
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// @param values of `joints` or `holders` @param usual how many there are if nothing is said
+/// @param values of `joints` or `holders` @param usual the default
 std::size_t readCount(const Configuration& values, std::size_t usual, std::size_t most) {
   return static_cast<std::size_t>(
       values.integer("count", static_cast<std::int64_t>(usual), {1.0, static_cast<double>(most)}));

@@ -25,27 +25,27 @@ struct Pose {
 /// An upright wall of sufficient height, from one point of the ground to another.
 struct Wall {
   Eigen::Vector2d from;  ///< in the world [m]
-  Eigen::Vector2d to;    ///< likewise [m]
+  Eigen::Vector2d to;    ///< in the world [m]
 };
 
-/// An object that a camera sees, that shines on light sensors as a lamp of its colour, that robots hear if it says
-/// something or answers, and microphones if it sounds.
+/// An object that cameras see, and that shines on light sensors as a lamp of its colour. It may also send messages or
+/// answer them, and emit a sound.
 struct Beacon {
-  static constexpr std::size_t kMostBytes = 10;  ///< that it says: as many as a message of range and bearing has
+  static constexpr std::size_t kMostBytes = 10;  ///< of its message: as many as in a message of range and bearing
 
   std::string name;
   Eigen::Vector3d at;  ///< in the world [m]
   Color color;
   bool can_be_gripped = false;
-  std::vector<std::uint8_t> says{};  ///< the bytes of the message that it sends all the time; none: it is silent
+  std::vector<std::uint8_t> says{};  ///< bytes of the message that it sends in each tick; none: it is silent
   double sound_level = 0.0;          ///< sound pressure level at 1 m [dB re 20 uPa]; 0: no sound
   double sound_frequency = 1000.0;   ///< [Hz]
-  bool answers = false;              ///< messages of the robot, with the same bytes, each bit turned over
+  bool answers = false;              ///< answers messages of the robot with their bytes, all bits inverted
 };
 
 /// A coloured disc on the floor.
 struct Disc {
-  Eigen::Vector2d at;   ///< its middle, in the world [m]
+  Eigen::Vector2d at;   ///< its centre, in the world [m]
   double radius = 0.0;  ///< [m]
   Color color;
 };
@@ -54,20 +54,21 @@ struct Disc {
 struct Tag {
   Eigen::Vector2d at;      ///< in the world [m]
   std::uint32_t id = 1;    ///< 1 or more
-  std::uint32_t data = 0;  ///< what it holds
+  std::uint32_t data = 0;  ///< the content of its memory
 };
 
 struct World {
-  /// Of a robot whose sensors around the body are not known here: so many, evenly around its axis, the first ahead.
+  /// Sensors around the body of a robot whose real ones are not known here: evenly spaced around its axis, the first
+  /// ahead.
   struct Ring {
     std::size_t sensors = 8;
     double radius = 0.035;  ///< [m]
 
-    /// Where a sensor looks, in the robot's frame [rad].
+    /// Direction of a sensor in the robot's frame [rad].
     double angle(std::size_t sensor) const;
   };
 
-  /// Of a robot whose joints are not known here: so many, without stops.
+  /// Joints of a robot whose real ones are not known here, without stops.
   struct Joints {
     std::size_t count = 1;
     double fastest = 3.0;  ///< [rad/s]
@@ -75,7 +76,7 @@ struct World {
     /// Names of the joints in the robot's state: "joint_0", ...
     static std::string name(std::size_t joint) { return "joint_" + std::to_string(joint); }
   };
-  /// Of a robot for which it is not known here what it holds with: so many parts, each with something within reach.
+  /// Holders of a robot whose real ones are not known here, each with an object within reach.
   struct Holders {
     std::size_t count = 1;
     double rope = 0.0;  ///< length of the rope of each; 0: they have none [m]
@@ -84,7 +85,7 @@ struct World {
     static std::string name(std::size_t holder) { return "holder_" + std::to_string(holder); }
   };
 
-  /// Of a robot whose wheels are not known here.
+  /// Wheels of a robot whose real ones are not known here.
   struct Wheels {
     double radius = 0.029;     ///< [m]
     double separation = 0.14;  ///< between them [m]
@@ -92,14 +93,14 @@ struct World {
 
   std::vector<Wall> walls;
   std::vector<Beacon> beacons;
-  std::vector<Disc> discs;  ///< on a white floor; later ones lie on earlier ones
+  std::vector<Disc> discs;  ///< on a white floor; later ones cover earlier ones
   std::vector<Tag> tags;
   double ceiling = 3.0;  ///< height of the ceiling, which is ferromagnetic [m]
   Ring ring;
   Joints joints;
   Holders holders;
   Wheels wheels;
-  /// Whether a handbot's hand touches an object when its arm is level.
+  /// Whether a handbot's left or right hand touches an object when its arm is level.
   bool is_something_left = true;
   bool is_something_right = true;
 };
@@ -111,7 +112,7 @@ struct World {
 ///     discs: {nest: {at: [0.5, 0], radius: 0.3, color: gray}}
 ///     tags: {door: {at: [0.5, 0], id: 7, data: 1234}}
 ///     ceiling: 3
-///     hands: {left: true, right: false}                    what they reach out for is there
+///     hands: {left: true, right: false}                    whether a level arm touches an object
 ///     ring: {sensors: 8, radius: 0.035}                    of a `proximity`, `light`, `ground` or `microphones`
 ///     joints: {count: 2, fastest: 3}                       of `joints` and `joint_states`
 ///     holders: {count: 1, rope: 2}                         of `holders` and `holder_states`
@@ -128,17 +129,17 @@ double distanceToWall(const World& world, const Eigen::Vector2d& from, double di
 /// @param angle of the sensor in the robot's frame [rad] @param radius of the ring [m]
 double wayToWall(const World& world, const Pose& pose, double angle, double radius);
 
-/// Returns what an infrared sensor that looks outwards from a ring around the robot's axis reads of the walls, by
+/// Returns the reading of the walls by an infrared sensor that looks outwards from a ring around the robot's axis, by
 /// Proximity::response: 0 with nothing in range, 1 at contact. @param angle of the sensor in the robot's frame [rad]
 /// @param radius of the ring [m]
 float closenessOfWall(const World& world, const Pose& pose, double angle, double radius);
 
-/// Returns the colour of the floor for what looks down from where the robot's wheels touch the ground: black if the
-/// robot is higher over the floor than the usual range of ground sensors.
-/// @param place that looks, in the robot's frame [m]
+/// Returns the colour of the floor under a sensor at the height of the robot's contact with the ground: black if the
+/// robot is higher above the floor than the usual range of ground sensors.
+/// @param place of the sensor in the robot's frame [m]
 Color floorColorUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place);
 
-/// Returns what a ground sensor reads of that colour, by Ground::reflection.
+/// Returns the reading of that colour by a ground sensor, by Ground::reflection.
 /// @param place of the spot in the robot's frame [m]
 float reflectionUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place);
 

@@ -27,7 +27,8 @@ void refuseRest(const ByteReader& in) {
   }
 }
 
-/// The space stops a robot with such a command; the controller itself gets no error.
+/// Returns whether a command has a number that is not finite. The space stops a robot with such a command; the
+/// controller itself gets no error.
 bool commandsNoNumber(const Answer& answer, const RemoteRobot& robot) {
   for (std::size_t i = 0; i < answer.commands.size(); ++i) {
     if (!isFinite(decode(robot.actuators[i].layout, answer.commands[i]))) {

@@ -23,8 +23,8 @@ struct Answer {
 /// @throws ByteError if the frame is not one of that robot
 Answer answerOf(const CommandFrame& frame, const RemoteRobot& robot);
 
-/// Returns the readings of each sensor, in the order of the robot's description; none if the controller was not to
-/// step.
+/// Returns the readings of each sensor, in the order of the robot's description; none if the controller was not
+/// stepped.
 /// @throws ByteError if the frame is not one of that robot
 std::vector<Bytes> readingsOf(const SensorFrame& frame, const RemoteRobot& robot);
 
@@ -45,7 +45,7 @@ struct Difference {
 struct Comparison {
   std::size_t compared = 0;
   std::size_t equal = 0;
-  std::size_t without_commands = 0;  ///< ticks of which no commands were recorded
+  std::size_t without_commands = 0;  ///< ticks without recorded commands
   std::optional<Difference> first;
 };
 

@@ -12,7 +12,7 @@ namespace swarmanoid::replay {
 
 struct RecordedTick {
   SensorFrame sensors;
-  std::optional<CommandFrame> commands;  ///< nothing if the recording lacks them
+  std::optional<CommandFrame> commands;  ///< empty if the recording lacks them
 };
 
 /// One run of a controller, from its start to its end.

@@ -8,7 +8,7 @@
 namespace swarmanoid::replay {
 namespace {
 
-/// Since the start of the run.
+/// Returns the time since the start of the run [s].
 std::string secondsOf(Time time) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f", toSeconds(time - kEpoch));
@@ -36,7 +36,7 @@ std::string find(const std::vector<std::pair<std::string, std::string>>& values,
   return found == values.end() ? "nothing" : found->second;
 }
 
-/// Returns the keys of both: those of the first in their order and then those that only the second has.
+/// Returns the keys of both: those of the first in their order, then those that only the second has.
 std::vector<std::string> keysOf(const std::vector<std::pair<std::string, std::string>>& first,
                                 const std::vector<std::pair<std::string, std::string>>& second) {
   std::vector<std::string> keys;

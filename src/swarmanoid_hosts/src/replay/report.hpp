@@ -15,7 +15,8 @@ std::string titleOf(const std::vector<RecordedRun>& runs, std::size_t run);
 /// field that differs, the readings, the debug values. Each line has its line end.
 std::string report(const RecordedRun& run, const std::string& title, const Comparison& comparison);
 
-/// Returns what the recording lacks, if anything: its beginning, ticks in between. Each line has its line end.
+/// Returns warnings of missing parts of the recording: its beginning, ticks in between; "" if it is complete. Each line
+/// has its line end.
 std::string warnings(const RecordedRun& run, const std::string& title);
 
 /// Returns the recorded data, one device a line: robot, tick, time, kind, name and values, separated by tabs.

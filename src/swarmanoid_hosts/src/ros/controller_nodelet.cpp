@@ -41,7 +41,7 @@ bool ControllerNodelet::runAlone() {
     const std::string provider = reader.choice("provider", {"lockstep", "topics"});
     Participant::Options options_of_participant = Participant::readOptions(reader);
     reader.text("controller", "");
-    reader.text("library", "");  // who reads them is as strict, and comes later
+    reader.text("library", "");  // marks them as read; their later reader is as strict
     reader.refuseUnread({"parameters", "configuration"});
     if (provider == "topics") {
       refuse(own, "parameters", "none with provider:=topics; the configuration has those of the controller");

@@ -78,7 +78,7 @@ class FieldReader {
     }
   }
 
-  /// Takes a number of the device, or what it is now.
+  /// Takes the message's value of a number, or its present value in the device.
   void takeNumber(const DeviceNumber& number, const std::byte* device, ByteWriter& out) {
     const auto found = values_.find(number.name);
     withNumberType(typeOf(number), [&](auto value) {
@@ -105,7 +105,7 @@ class FieldReader {
     }
   }
 
-  /// Refuses what nobody has taken. @throws std::runtime_error
+  /// Refuses values that have not been taken. @throws std::runtime_error
   void refuseTheRest() const {
     if (!values_.empty()) {
       const std::vector<std::string> allowed = allowedNames(type_);
@@ -156,7 +156,7 @@ class FieldReader {
     constexpr bool kIsWhole = Limits::is_integer;
     const double minimum = static_cast<double>(Limits::lowest());
     const double maximum = static_cast<double>(Limits::max());
-    // of 64 bits: the double nearest to the greatest number lies above it
+    // for integers of 64 bits, the double nearest to the greatest number lies above it
     const bool is_too_large =
         kIsWhole && Limits::digits > std::numeric_limits<double>::digits ? value >= maximum : value > maximum;
     if (value < minimum || is_too_large || (kIsWhole && value != std::nearbyint(value))) {
@@ -170,7 +170,7 @@ class FieldReader {
   }
 
   const DeviceType& type_;
-  std::map<std::string, double> values_;  ///< of the message, that nobody has taken
+  std::map<std::string, double> values_;  ///< of the message, not yet taken
 };
 
 }  // namespace

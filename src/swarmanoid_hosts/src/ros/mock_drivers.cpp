@@ -1,9 +1,9 @@
 // mock_drivers: drivers of one simulated robot with simple kinematics, with the topics of docs/reference/drivers.md.
 //
-// Private parameters: `robot`, its name; `type`, such as footbot: it has all devices of such a robot; `devices`, others
-// that it has too, separated by spaces; `without`, devices that are left out, likewise; `rate` of the sensors [Hz], 1
-// to 1000; `watchdog`, how long commands may be missing before an actuator is stopped safely [s], 0.01 to 3600;
-// `world`, its surroundings (../mock/world.hpp).
+// Private parameters: `robot`, its name; `type`, such as footbot: it has all devices of such a robot; `devices`,
+// further devices, separated by spaces; `without`, devices that are left out, separated by spaces; `rate` of the
+// sensors [Hz], 1 to 1000; `watchdog`, the time without commands after which an actuator is stopped safely [s], 0.01 to
+// 3600; `world`, its surroundings (../mock/world.hpp).
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -61,7 +61,7 @@ Options readOptions(const ros::NodeHandle& own) {
   return options;
 }
 
-/// Returns the topic on which people see the state of what a topic commands: leds/state for leds/command.
+/// Returns the topic that shows people the state of a commanded device: leds/state for leds/command.
 DeviceTopic stateTopicOf(const DeviceTopic& command) {
   DeviceTopic state = command;
   const std::size_t end = command.name.rfind("/command");
@@ -117,7 +117,7 @@ class Drivers {
     const MockRobot::Device* device;
     DeviceTopic topic;
     ros::Publisher publisher;
-    Bytes last;  ///< what was published last
+    Bytes last;  ///< last published command
   };
 
   void advertiseReadings(const MockRobot::Device& sensor) {
@@ -197,7 +197,7 @@ class Drivers {
   std::deque<VariableParts> parts_;  // addresses stay valid
   std::vector<ros::Subscriber> commands_;
   std::vector<Shown> shown_;
-  ros::Publisher truth_;  // where the robot really is, for people and tests
+  ros::Publisher truth_;  // the true pose of the robot, for people and tests
 };
 
 }  // namespace

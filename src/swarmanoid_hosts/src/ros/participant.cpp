@@ -14,7 +14,7 @@
 namespace swarmanoid {
 namespace {
 
-/// @return whether there is something to receive before that time is over [ms]
+/// Waits for a packet. @param time the limit [ms] @return whether there is one
 bool waitFor(const PacketSocket& socket, int time) {
   pollfd waited{socket.descriptor(), POLLIN, 0};
   return ::poll(&waited, 1, time) > 0;
@@ -147,7 +147,7 @@ std::uint64_t Participant::connect() {
 
 void Participant::answerMessages() {
   const std::string topics = options_.space + "/participants/" + name_;
-  constexpr bool kLatched = true;  // a latched message arrives whichever side connects first
+  constexpr bool kLatched = true;  // a latched message arrives in either order of connection
   ros::Publisher commands = own_.advertise<swarmanoid_msgs::CommandFrame>(topics + "/commands", 1, kLatched);
   const ros::Subscriber sensors = own_.subscribe<swarmanoid_msgs::SensorFrame>(
       topics + "/sensors", 1,

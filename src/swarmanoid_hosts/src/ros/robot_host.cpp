@@ -108,7 +108,7 @@ void RobotHost::servePeriod(PeriodClock& clock) {
     ROS_WARN_THROTTLE(1.0, "%s: overrun: %lu period(s) of %.3f s left out, %lu so far", name_.c_str(), passed - 1,
                       toSeconds(configuration_.period), missed_);
   }
-  queue_.callAvailable();  // handles the messages that came while the last step took too long
+  queue_.callAvailable();  // handles the messages that arrived while the last step took too long
   std::size_t i = 0;
   for (RobotLoop::Actuator& actuator : loop_->actuators()) {
     actuator.is_heard = outputs_[i++].publisher.getNumSubscribers() > 0;

@@ -53,7 +53,7 @@ inline World worldWith(Beacon beacon) {
   return world;
 }
 
-/// A grey disc and a green one, the later of which lies on the earlier one where they overlap.
+/// A grey disc and a green one, which lies on the grey one where they overlap.
 inline World worldWithDiscs() {
   World world;
   world.discs.push_back({{0.17, 0.25}, 0.06, colors::kGray});

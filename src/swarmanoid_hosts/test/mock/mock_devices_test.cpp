@@ -1,4 +1,4 @@
-// Which devices a mock robot has, what those without a mock of their own do, and what they share.
+// The devices of a mock robot: their list, the generic mock, and their shared state.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,7 +84,7 @@ TEST(MockDevices, ThatAreNotKnownAreRefused) {
   EXPECT_NE(std::string::npos, unknown.find("did you mean 'fan_of_a_test'?")) << unknown;
 }
 
-/// Drivers publish what people see: the colours of LEDs, on whichever robot.
+/// Drivers publish visible commands: the colours of LEDs, on any robot.
 TEST(MockDevices, AreShownIfPeopleSeeThem) {
   const Bench bench(std::vector<std::string>{"eyebot_leds", "footbot_leds", "footbot_wheels", "handbot_leds", "leds"});
   std::vector<std::string> shown;
@@ -110,7 +110,7 @@ TEST(MockDevices, WithoutAMockOfTheirOwnRestAndStop) {
   EXPECT_EQ(0.0, bench.command<Fan>().speed) << "the safe stop";
 }
 
-/// What one device does, another device of the same tick sees: commands, then motion, then readings.
+/// The effect of one device is visible to other devices in the same tick: commands, then motion, then readings.
 TEST(MockDevices, ActThenTheRobotMovesThenTheySense) {
   Bench bench(std::vector<std::string>{"footbot_proximity", "footbot_wheels"}, [] {
     World world;

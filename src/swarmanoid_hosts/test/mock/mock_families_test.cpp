@@ -136,7 +136,7 @@ TEST(MockRobotOfAnyType, UsesUpItsBatteryAndMoreOfItInMotion) {
   EXPECT_NEAR(133200.0F - 104.0F, battery.charge, 0.5F) << "7.2 W, but for the first moment of the motion";
 }
 
-/// The simulator's sensor has the same law: a test of its own holds it against the same formula.
+/// The simulator's sensor has the same law: its own test compares it with the same formula.
 TEST(MockRobotOfAnyType, FeelsTheLightOfBeacons) {
   Bench bench(std::vector<std::string>{Light::kType}, worldWith({"lamp", {0.0, 0.535, 0.0}, colors::kWhite, false}));
   const Light& light = bench.reading<Light>();

@@ -1,4 +1,4 @@
-// Devices that measure how a mock robot moves, and the one that flies it to places.
+// Devices that measure the motion of a mock robot, and the one that flies it to positions.
 #include <gtest/gtest.h>
 
 #include <cmath>

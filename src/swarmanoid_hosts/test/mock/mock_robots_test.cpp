@@ -58,7 +58,7 @@ TEST(MockFootbot, FeelsAWallWhereItIs) {
   EXPECT_LT(proximity.value[5], proximity.value[6]);
 }
 
-/// The simulator's sensor has the same law: a test of its own holds it against the same polynomial.
+/// The simulator's sensor has the same law: its own test compares it with the same polynomial.
 TEST(MockFootbot, ReadsDistancesByTheLawOfTheDevice) {
   for (const double distance : {0.0, 0.0137, 0.0271, 0.0613, 0.0891, 0.0999, 0.1003, 0.7}) {
     World world;
@@ -100,7 +100,7 @@ TEST(MockFootbot, SeesABeaconMoveAsItDrives) {
   EXPECT_NEAR(1.0, camera.blobs[0].distance, 1e-6);
 }
 
-/// Which disc is under which spot was worked out by another program.
+/// The disc under each spot was computed by another program.
 TEST(MockFootbot, ReadsTheFloorUnderIt) {
   Bench bench("footbot", worldWithDiscs(), {{0.13, 0.27, 0.0}, 0.83});
   const float gray = 128.0F / 255.0F;
@@ -174,7 +174,7 @@ TEST(MockEyebot, SeesTheSpotOfItsLaser) {
   bench.command<EyebotLaser>() = {true, M_PI / 2.0, 0.5};
   bench.advance(kStep);
   ASSERT_EQ(1U, bench.reading<EyebotCamera>().blobs.size());
-  const double left = 1.65 * std::tan(0.5);  // from 0.05 m ahead, 0.15 m above where it stands
+  const double left = 1.65 * std::tan(0.5);  // from 0.05 m ahead and 0.15 m above the robot's origin
   EXPECT_NEAR(std::hypot(0.05, left), bench.reading<EyebotCamera>().blobs[0].distance, 1e-6);
   EXPECT_NEAR(std::atan2(left, 0.05), bench.reading<EyebotCamera>().blobs[0].bearing, 1e-6);
   bench.command<EyebotLaser>().tilt = 5.0;
@@ -202,7 +202,7 @@ TEST(MockEyebot, SeesAllAroundAtAnyHeight) {
 TEST(MockEyebot, TurnsACameraTowardsWhatItShallSee) {
   Pose start;
   start.position.z() = 1.0;
-  // 1.7 rad to the left of where the camera is, and 0.6 rad below it
+  // 1.7 rad to the left of the camera, and 0.6 rad below it
   const double distance = 2.1;
   const Eigen::Vector3d at(0.085 + distance * std::cos(1.7), distance * std::sin(1.7), 1.17 - distance * std::tan(0.6));
   Bench bench("eyebot", worldWith({"lamp", at, colors::kYellow, false}), start);

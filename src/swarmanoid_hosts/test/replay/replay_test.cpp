@@ -1,4 +1,4 @@
-// Replays recorded frames with a controller, without a bag: tests what is equal, what differs, and the report.
+// Replays recorded frames with a controller, without a bag: tests equal ticks, differences, and the report.
 #include <gtest/gtest.h>
 
 #include <limits>

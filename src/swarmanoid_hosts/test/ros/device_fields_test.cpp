@@ -1,4 +1,4 @@
-// The message of devices that have none of their own.
+// The message of devices without a message of their own.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -61,7 +61,7 @@ Message messageOf(const std::vector<std::pair<std::string, double>>& values) {
   return message;
 }
 
-/// Why a sonar refuses the message, after which it must be as it was; "" if it takes it.
+/// Returns the reason why a sonar refuses the message, which must then leave it unchanged; "" if it is accepted.
 std::string refusalOf(const Message& message) {
   Sonar sonar;
   VariableParts parts;

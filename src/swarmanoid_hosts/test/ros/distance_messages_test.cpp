@@ -165,7 +165,7 @@ TEST(DistanceMessages, AScanOfALidarIsItsBeams) {
   EXPECT_EQ("found 4097 ranges, allowed: at most 4096", refusalOf(scan, lidar));
 }
 
-/// The stamp of its message is when the scan was made.
+/// The stamp of its message is the time of the scan.
 TEST(DistanceMessages, ALidarSaysHowOldItsScanIs) {
   Lidar lidar;
   lidar.age = 0.3;
@@ -183,7 +183,7 @@ TEST(DistanceMessages, ALidarSaysHowOldItsScanIs) {
   EXPECT_EQ(now, madeAt(*mainTopicOf(Distance::kType), &lidar, now));
 }
 
-/// Drivers count from 0 to 2 pi, or downwards, and say 0 where nothing comes back.
+/// Drivers count from 0 to 2 pi, or downwards, and send 0 for beams without a return.
 TEST(DistanceMessages, BeamsOfDriversAreOrderedFromTheBackRoundToTheBack) {
   sensor_msgs::LaserScan scan;
   scan.range_min = 0.12F;
@@ -221,7 +221,7 @@ TEST(DistanceMessages, BeamsOfDriversAreOrderedFromTheBackRoundToTheBack) {
   EXPECT_EQ(static_cast<float>(-M_PI), lidar.beams[0].angle);
 }
 
-/// By name, too.
+/// The same for messages of fields by name.
 TEST(DistanceMessages, FieldsByNameNeedNotBeFiniteIfTheyAreDistances) {
   HandbotDistance handbot;
   handbot.distance[3] = kNothing;

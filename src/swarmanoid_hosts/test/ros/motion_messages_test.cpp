@@ -1,4 +1,4 @@
-// Converts devices that measure motion, and flight to places, to messages and back.
+// Converts devices that measure motion, and flight to positions, to messages and back.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Recorded controllers in bags: tests which frames belong together, and what is refused.
+// Recorded controllers in bags: tests the grouping of frames, and refused bags.
 #include "../../src/ros/replay/read_bag.hpp"
 
 #include <gtest/gtest.h>

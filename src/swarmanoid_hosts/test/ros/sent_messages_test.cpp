@@ -1,4 +1,4 @@
-// Converts what robots send to each other, by range and bearing and by radio, to messages and back.
+// Converts the messages that robots send to each other, by range and bearing and by radio, to ROS messages and back.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -32,7 +32,7 @@ Rows rowsOf(const std::filesystem::path& page) {
   return rows;
 }
 
-/// Of all pages that have some, by device.
+/// Returns the rows of all pages that have some, by device.
 std::map<std::string, Rows> tables() {
   std::map<std::string, Rows> result;
   for (const auto& page : std::filesystem::directory_iterator(PAGES)) {
@@ -44,7 +44,7 @@ std::map<std::string, Rows> tables() {
   return result;
 }
 
-/// Topic, type, and the frame of readings.
+/// Returns topic, type, and the frame of readings.
 std::string contentOf(const std::string& row) {
   static const std::regex columns(R"(\| `(\S+)` \| `(\S+)` \| (?:`(\S+)` \| )?.*)");
   std::smatch found;
@@ -69,7 +69,7 @@ TEST(TopicTables, NameTopicTypeAndFrameOfEachDevice) {
   EXPECT_TRUE(found.empty()) << "no topics, or no device: " << found.begin()->first;
 }
 
-/// The last column of a row: "zero", "as it is", ...
+/// Returns the last column of a row: "zero", "as it is", ...
 std::string safeStopIn(const std::string& row) {
   static const std::regex last(R"(.*\| ([^|]*) \|)");
   std::smatch found;

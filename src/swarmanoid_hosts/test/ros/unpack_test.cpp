@@ -1,4 +1,4 @@
-// The record of a run out of a bag: the run that is chosen, its files, hashes, interventions and result.
+// Extracts the record of a run from a bag: the chosen run, its files, hashes, interventions and result.
 #include "../../src/ros/unpack/unpack.hpp"
 
 #include <gtest/gtest.h>

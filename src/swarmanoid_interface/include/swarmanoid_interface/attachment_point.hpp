@@ -27,8 +27,8 @@ using ControllerFactory = std::function<std::shared_ptr<Controller>()>;
 
 class AttachmentPoint {
  public:
-  /// A part that an experiment needs. What is attached as kEngine is an Engine, as kController a ControllerFactory, as
-  /// kObserver an Observer.
+  /// A part that an experiment needs. The attached object is an Engine for kEngine, a ControllerFactory for
+  /// kController, an Observer for kObserver.
   struct Request {
     PluginKind kind = PluginKind::kEngine;
     std::string id;
@@ -48,15 +48,14 @@ class AttachmentPoint {
   void attach(PluginKind kind, const std::string& id, std::shared_ptr<void> part);
   /// Reports that the part cannot be made; waitForAll throws the reason. The first reason counts.
   void refuse(PluginKind kind, const std::string& id, const std::string& reason);
-  /// Returns once the space has stopped using the part. Nothing happens if it is not attached.
+  /// Returns once the space has stopped using the part. Does nothing if the part is not attached.
   void detach(PluginKind kind, const std::string& id);
 
   // Functions for the space.
 
-  /// Adds a part that is needed while the experiment runs; no call waits for it. Nothing happens if it is needed
-  /// already.
+  /// Adds a needed part while the experiment runs; no call waits for it. Does nothing if the part is needed already.
   void expect(Request request);
-  /// Removes the part from those that are needed. @pre nothing is attached as that part
+  /// Removes the part from the needed ones. @pre the part is not attached
   void forget(PluginKind kind, const std::string& id);
 
   /// Loads a part unless it is attached already, for example by the user's launch file.
@@ -70,8 +69,8 @@ class AttachmentPoint {
   /// @pre waitForAll has returned
   std::shared_ptr<void> part(PluginKind kind, const std::string& id) const;
   using LossHandler = std::function<void(PluginKind kind, const std::string& id)>;
-  /// The handler is called when a part is detached; it must not return before the part is out of use. After
-  /// setLossHandler returns, the former handler is not running and will not be called again.
+  /// Sets the handler for detached parts, which must not return before the part is out of use. After setLossHandler
+  /// returns, the former handler is not running and will not be called again.
   void setLossHandler(LossHandler handler);
 
  private:
@@ -91,8 +90,8 @@ class AttachmentPoint {
   LossHandler loss_handler_;
 };
 
-/// Returns the attachment point of a space; it can be found as long as a pointer to it is held. It replaces a former
-/// one of that name.
+/// Makes the attachment point of a space, which replaces a former one of that name. It can be found as long as a
+/// pointer to it exists.
 std::shared_ptr<AttachmentPoint> openAttachmentPoint(const std::string& space,
                                                      std::vector<AttachmentPoint::Request> requests);
 

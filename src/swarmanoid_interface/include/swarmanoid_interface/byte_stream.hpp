@@ -60,7 +60,7 @@ class ByteWriter {
     out_.insert(out_.end(), text.begin(), text.end());
   }
 
-  /// Begins a block: its length is written before what is written up to closeBlock. @return the argument for closeBlock
+  /// Begins a block, which closeBlock ends; its length is stored in front of it. @return the argument for closeBlock
   std::size_t openBlock() {
     number(std::uint32_t{0});
     return out_.size();
@@ -77,7 +77,7 @@ class ByteWriter {
 /// Stores the elements of spans that are read from bytes.
 class VariableParts {
  public:
-  /// Returns room for `count` elements with their initial values, valid until clear.
+  /// Returns memory for `count` elements with their initial values, valid until clear.
   template <class T>
   T* room(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T> && alignof(T) <= alignof(std::uint64_t));

@@ -18,7 +18,7 @@ struct Color {
 
   /// Black means "off": cameras do not see an LED of that colour.
   constexpr bool isLit() const { return red != 0 || green != 0 || blue != 0; }
-  /// The mean of the channels: 0 for black, 1 for white, 1/3 for a pure red, green or blue.
+  /// Returns the mean of the channels: 0 for black, 1 for white, 1/3 for a pure red, green or blue.
   constexpr double brightness() const {
     constexpr double kWhite = 3.0 * 255.0;
     return (red + green + blue) / kWhite;
@@ -56,7 +56,7 @@ std::optional<Color> parseColor(std::string_view text);
 /// Returns the names that parseColor accepts, in the order of `colors`.
 const std::vector<std::string>& colorNames();
 
-/// The name of a colour of `colors`, else "r,g,b".
+/// Returns the name of a colour of `colors`, or "r,g,b" for other colours.
 std::string toString(Color color);
 
 }  // namespace swarmanoid

@@ -1,5 +1,5 @@
-/// Collects commands for simulated robots that come from outside at any time, such as over topics: receivers put them
-/// here, and the space takes them at the next tick. This file does not use ROS.
+/// Collects commands for simulated robots that arrive from outside at any time, for example over topics: receivers put
+/// them here, and the space takes them at the next tick. This file does not use ROS.
 ///
 /// Threads  all functions may be called from any thread.
 #pragma once
@@ -24,18 +24,18 @@ class CommandMailbox {
   /// Registers a receiver of commands for this robot.
   void open(const std::string& robot);
   void close(const std::string& robot);
-  /// Replaces the command that has come for the device since the last tick.
+  /// Sets the command of the device for the next tick, and replaces an earlier one.
   /// @return "", or the reason why the command is refused: the robot has another command source
   std::string put(const std::string& robot, const std::string& device, Bytes command);
 
   // Functions for the space.
 
   bool isOpen(const std::string& robot) const;
-  /// Accepts commands for these robots only from now on, and discards those that have come for other robots.
+  /// Accepts commands for these robots only from now on, and discards commands for other robots.
   void accept(std::set<std::string> robots);
-  /// Returns whether commands are accepted for no robot.
+  /// Returns true if no robot accepts commands.
   bool isIdle() const;
-  /// Returns the commands that have come since the last call.
+  /// Returns the commands since the last call, and removes them.
   Commands take();
 
  private:

@@ -1,8 +1,8 @@
-/// This file holds named values from an experiment file (or any other source), each with its source location.
+/// Named values from an experiment file (or any other source), each with its source location.
 ///
 /// A Configuration is one element: its text, and its named children; an XML attribute and a child element of the same
-/// name are the same thing. Readers ask for values by name and type. Values that no reader asked for can be refused, so
-/// that a misspelt name is an error and never a silent default.
+/// name are equivalent. Readers get values by name and type. Unread values can be refused, so that a misspelt name is
+/// an error and never a silent default.
 ///
 /// Angles are degrees in files and radians everywhere else: `angle` converts.
 #pragma once
@@ -31,8 +31,7 @@ struct SourceLocation {
   std::string toString() const;
 };
 
-/// A mistake of the user: "file:line: what was found, what is allowed"; the location is left out if the value stands in
-/// no file.
+/// A mistake of the user: "file:line: found ..., allowed: ..."; the location is omitted if the value is in no file.
 class ConfigError : public std::runtime_error {
  public:
   ConfigError(const SourceLocation& location, const std::string& message);
@@ -61,7 +60,7 @@ class Configuration {
   const Configuration* find(std::string_view key) const;
 
   /// These functions return values by name. Without a fallback a missing key is an error.
-  /// @throws ConfigError naming the key, what was found and what is allowed
+  /// @throws ConfigError naming the key, the value found and the allowed values
   double number(std::string_view key, Range range = {}) const;
   double number(std::string_view key, double fallback, Range range = {}) const;
   std::int64_t integer(std::string_view key, Range range = {}) const;
@@ -80,7 +79,7 @@ class Configuration {
   /// Converts an angle, which is in degrees in the file. @return radians
   double angle(std::string_view key, double fallback_rad, Range range_deg = {}) const;
 
-  /// @throws ConfigError for the first child that no reader asked for, with the nearest name among `known`, or for one
+  /// @throws ConfigError for the first child that no reader has read, with the nearest name among `known`, or for one
   /// that occurs twice
   void refuseUnread(const std::vector<std::string>& known = {}) const;
 
@@ -95,9 +94,8 @@ class Configuration {
   mutable bool read_ = false;
 };
 
-/// These functions read a whole text strictly: surrounding white space is allowed, anything else after the value is
-/// not.
-/// @throws ConfigError with what was found and what is allowed; `what` names the value in the message
+/// These functions read a whole text strictly: besides the value, only surrounding white space is allowed.
+/// @throws ConfigError with the value found and the allowed values; `what` names the value in the message
 double parseNumber(const std::string& text, const std::string& what, const SourceLocation& location, Range range = {});
 std::int64_t parseInteger(const std::string& text, const std::string& what, const SourceLocation& location,
                           Range range = {});
@@ -119,7 +117,7 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& ca
 /// "found the engine 'grund', allowed: ground, air; did you mean 'ground'?" @param what such as "the engine"
 std::string unknownName(const std::string& what, const std::string& name, const std::vector<std::string>& allowed);
 
-/// Returns "a, b, c" for messages that list what is allowed.
+/// Returns "a, b, c" for messages that list the allowed names.
 std::string joinNames(const std::vector<std::string>& names);
 
 }  // namespace swarmanoid

@@ -1,4 +1,4 @@
-/// Whether a name is among others. unknownName (configuration.hpp) words the refusal of one that is not.
+/// Searches a list of names. unknownName (configuration.hpp) makes the error message for a name that is not in a list.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace swarmanoid {
 
-/// Takes time proportional to the number of names.
+/// Returns whether `names` contains `name`, by linear search.
 inline bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }

@@ -15,7 +15,7 @@ class Controller {
  public:
   virtual ~Controller() = default;
 
-  /// Asks the robot for its devices and reads the `<parameters>` of the experiment file.
+  /// Gets the devices of the robot and reads the `<parameters>` of the experiment file.
   /// @throws ConfigError, DeviceError: the controller does not start; the message gives the reason
   virtual void init(Robot& robot, const Configuration& parameters) = 0;
 
@@ -24,18 +24,18 @@ class Controller {
   /// @param time of this tick; @param dt time since the last step
   virtual void step(Time time, Duration dt) = 0;
 
-  /// Returns to the state after init. For code that steps a controller itself, such as its tests: when an experiment is
-  /// reset the framework destroys the controller and makes another one, so nothing can be forgotten here.
+  /// Returns to the state after init. For code that steps a controller itself, such as its tests. When an experiment is
+  /// reset, the framework does not call this function: it destroys the controller and makes another one.
   virtual void reset() {}
 
-  /// Ends what init began. An exception is reported, and the robot's end goes on.
+  /// Releases what init acquired. An exception is reported; the shutdown of the robot continues.
   virtual void destroy() {}
 };
 
 }  // namespace swarmanoid
 
-/// Stands at the end of a controller's source: makes `Class` available under `label`, the tag in `<controllers>`
-/// (thesis 4.1.2). Together with the CMake function swarmanoid_add_controller the controller becomes a nodelet too.
+/// For the end of a controller's source file: makes `Class` available under `label`, the tag in `<controllers>` (thesis
+/// 4.1.2). Together with the CMake function swarmanoid_add_controller the controller becomes a nodelet too.
 #define REGISTER_CONTROLLER(Class, controller_label)                                              \
   namespace {                                                                                     \
   const ::swarmanoid::PluginRegistration<::swarmanoid::Controller, Class> SWARMANOID_CONCATENATE( \

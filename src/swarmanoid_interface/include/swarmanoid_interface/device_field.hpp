@@ -1,16 +1,17 @@
 /// A device describes its fields once. The description serves the bytes between processes, the names in Python and in
 /// comparisons, the checks for numbers that are not finite, and the tables of the documentation.
 ///
-/// A function beside the struct passes the name of each field to a visitor, in the order in which the fields travel:
+/// A function next to the struct passes the name of each field to a visitor, in the order of the bytes:
 ///
 ///     template <class Visitor>
 ///     void fields(Visitor& visit, MyDevice& device) {
-///       visit(device.range, {"range", "m", "of what is ahead", {0.0, 1.5}});
+///       visit(device.range, {"range", "m", "distance of the nearest obstacle ahead", {0.0, 1.5}});
 ///       visit(device.arms, {"arms"});
 ///     }
 ///
 /// A field is a number, a truth value, an enumeration, an Eigen::Vector3d, a struct that has `fields` itself, a
-/// std::array of one of these, or a Span of structs (as many as there are in that tick), which may have arrays too.
+/// std::array of one of these, or a Span of structs, which may contain arrays; the length of a span may change each
+/// tick.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,13 +33,13 @@ namespace swarmanoid {
 struct FieldInfo {
   const char* name;          ///< the name of the member
   const char* unit = "";     ///< "rad/s"; "" for none
-  const char* meaning = "";  ///< one phrase; what a struct or a list means, its fields mean that say nothing themselves
+  const char* meaning = "";  ///< one phrase; fields without one inherit that of their struct or list
   Range range = {};          ///< the bounds that values keep or are limited to
-  bool wraps = false;        ///< an angle: what leaves its bounds at one end comes in at the other
-  /// A measured distance, which need not be finite (REP-117): infinity where nothing is in range, -infinity where
-  /// something is too close, NaN where nothing is measured. What is beyond the bounds becomes one of the infinities.
+  bool wraps = false;        ///< an angle that wraps around at its bounds
+  /// A measured distance, which need not be finite (REP-117): infinity if nothing is in range, -infinity if an object
+  /// is too close, NaN if nothing is measured. Values beyond the bounds become infinite.
   bool is_distance = false;
-  bool may_be_nan = false;  ///< NaN says that nobody knows
+  bool may_be_nan = false;  ///< NaN means unknown
 };
 
 /// Describes a field that is a measured distance [m].
@@ -46,32 +47,32 @@ constexpr FieldInfo distanceField(const char* name, const char* meaning, Range r
   return {name, "m", meaning, range, false, true};
 }
 
-/// The same field, of which NaN says that nobody knows.
+/// Returns the field with NaN allowed, which means unknown.
 constexpr FieldInfo orUnknown(FieldInfo info) {
   info.may_be_nan = true;
   return info;
 }
 
-/// The description of one field for readers of the device; a struct gives one for each of its fields.
+/// Description of one field for readers of the device. A struct has one for each of its fields.
 struct FieldDescription {
   /// "left.shoulder"; arrays and spans have brackets: "value[]", "joints[].angle", "blobs[].bearing"
   std::string name;
-  std::string type;  ///< of one number: f4, f8, b1, u1, ... i8
+  std::string type;  ///< type of one number: f4, f8, b1, u1, ... i8
   std::string unit;
   std::string meaning;
   Range range;
-  std::size_t count = 1;     ///< count in a device; 0: it varies
-  double resting_value = 0;  ///< value in a device that was just made; of the first number, if there are several
-  bool wraps = false;        ///< an angle within one turn
-  std::size_t count_in_element = 0;  ///< count in one element of a span; 0: it is in none
+  std::size_t count = 1;             ///< count in a device; 0 if it varies
+  double resting_value = 0;          ///< initial value in a device; of the first number, if there are several
+  bool wraps = false;                ///< an angle within one turn
+  std::size_t count_in_element = 0;  ///< count in one element of a span; 0 outside spans
   bool is_distance = false;          ///< a measured distance, which need not be finite
-  bool may_be_nan = false;           ///< NaN says that nobody knows
+  bool may_be_nan = false;           ///< NaN means unknown
 };
 
-/// Returns "value[24]", "joints[6].angle", "blobs[].bearing", "messages[].payload[10]": the name with how many there
-/// are, if that is fixed.
+/// Returns "value[24]", "joints[6].angle", "blobs[].bearing", "messages[].payload[10]": the name with the counts that
+/// are fixed.
 std::string countedName(const FieldDescription& field);
-/// Returns "value[24] [rad], float32, from 0 to 1"; the range stands there only if the field has one.
+/// Returns "value[24] [rad], float32, from 0 to 1"; the range is included only if the field has one.
 std::string describe(const FieldDescription& field);
 /// Returns "float64", "bool", "uint8", ...: the name that ROS and NumPy use for the type.
 std::string typeName(const FieldDescription& field);
@@ -83,15 +84,15 @@ struct SpanAccess {
   void (*set)(void* span, const void* elements, std::size_t count) = nullptr;
 };
 
-/// One number of a device, or one span, with its place in the struct. A device has a list of them, in the order in
-/// which they travel.
+/// One number of a device, or one span, with its offset in the struct. A device has a list of them, in the order of its
+/// bytes.
 struct DeviceNumber {
   enum class Kind { kNumber, kTruthValue, kEnumeration, kSpan };
 
   std::string name;  ///< "left.shoulder", "value[3]"; of a span: "blobs"
   Kind kind = Kind::kNumber;
   std::string type;        ///< f4, f8, b1, u1, ... i8; "" for spans
-  std::size_t offset = 0;  ///< from the beginning of the device; in an element from that of the element [byte]
+  std::size_t offset = 0;  ///< from the beginning of the device, or of the element for numbers in a span [byte]
   std::size_t field = 0;   ///< index of its description in DeviceType::fields; 0 for spans
   SpanAccess span;         ///< for spans only
   std::vector<DeviceNumber> elements;  ///< for spans only: the numbers of one element
@@ -120,7 +121,7 @@ std::string numberType() {
   return kind + std::to_string(sizeof(Number));
 }
 
-/// Checks whether all numbers are finite that have to be.
+/// Checks whether all numbers that must be finite are finite.
 class FiniteCheck {
  public:
   template <class Value>
@@ -173,7 +174,7 @@ SpanAccess spanAccess() {
   return access;
 }
 
-/// Brings numbers into the ranges of their fields.
+/// Limits numbers to the ranges of their fields.
 class RangeLimiter {
  public:
   template <class Value>
@@ -201,7 +202,7 @@ class RangeLimiter {
 /// Collects the descriptions of the fields, and the list of the numbers.
 class FieldLister {
  public:
-  /// @param device that `fields` is called with
+  /// @param device the device that `fields` is called with
   explicit FieldLister(const void* device) : origin_(static_cast<const std::byte*>(device)) {}
 
   template <class Value>
@@ -216,7 +217,7 @@ class FieldLister {
   struct Name {
     std::string number;   // "joints[2].angle"; relative to the element inside of a span
     std::string field;    // "joints[].angle"
-    std::string meaning;  // of the field, or of what it is in
+    std::string meaning;  // of the field, or of the struct or list that contains it
   };
 
   template <class Value>
@@ -277,23 +278,23 @@ class FieldLister {
 
   std::vector<FieldDescription> fields_;
   std::vector<DeviceNumber> numbers_;
-  Name outer_;  // of what is visited, with a point
+  Name outer_;  // names of the visited struct, each with a trailing dot
   const std::byte* origin_;
   bool is_in_span_ = false;
 };
 
 }  // namespace detail
 
-/// Brings the numbers of a command into the ranges that its fields have: what is outside becomes the nearer bound, an
-/// angle that wraps (FieldInfo::wraps) too. Spans, whole numbers and measured distances stay as they are, and so does
-/// NaN.
+/// Limits the numbers of a command to the ranges of its fields: a number outside becomes the nearer bound, and so does
+/// an angle that wraps (FieldInfo::wraps). Spans, integers, measured distances and NaN are left unchanged.
 template <class Device>
 void limitToRanges(Device& device) {
   detail::RangeLimiter limiter;
   fields(limiter, device);
 }
 
-/// Returns whether no number of the device is NaN or infinite, but for measured distances (FieldInfo::is_distance).
+/// Returns whether all numbers of the device are finite. Measured distances (FieldInfo::is_distance) are not checked,
+/// and NaN is accepted where it means unknown (FieldInfo::may_be_nan).
 template <class Device>
 bool isFinite(const Device& device) {
   detail::FiniteCheck check;

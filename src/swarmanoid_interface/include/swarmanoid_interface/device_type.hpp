@@ -1,7 +1,7 @@
 /// Describes devices by name for hosts, lockstep, recordings and checks, which do not include the struct of the device.
-/// The description follows from the device's descriptor, which stands beside its struct:
+/// The description is derived from the device's descriptor, which is defined next to its struct:
 ///
-///     /// Sensor: the distance of what is ahead.
+///     /// Sensor: the distance of the nearest obstacle ahead.
 ///     struct Sonar {
 ///       static constexpr const char* kType = "sonar";
 ///       double range = 3.0;  ///< [m]
@@ -9,20 +9,22 @@
 ///
 ///     template <class Visitor>
 ///     void fields(Visitor& visit, Sonar& sonar) {
-///       visit(sonar.range, {"range", "m", "of what is ahead", {0.0, 3.0}});
+///       visit(sonar.range, {"range", "m", "of the nearest obstacle ahead", {0.0, 3.0}});
 ///     }
-///     REGISTER_DEVICE(Sonar, kSensor, "The distance of what is ahead.")
+///     REGISTER_DEVICE(Sonar, kSensor, "The distance of the nearest obstacle ahead.")
 ///
-/// device_field.hpp says what a field may be. The values that members are given in the struct are what the device says
-/// or does at rest. An actuator whose safe stop is another one than that (safe_stop.hpp) has, above REGISTER_DEVICE,
+/// device_field.hpp lists the possible types of fields. The initial values of the members are the readings or commands
+/// of the device at rest, and the safe stop of an actuator. An actuator with another safe stop (safe_stop.hpp) defines,
+/// above REGISTER_DEVICE,
 ///
 ///     inline bool stopSafely(MyDevice& command, const SafeStopMoment& moment) { ...; return true; }
 ///
-/// A device that is built into robots of one type only names it, `static constexpr const char* kRobot = "footbot";`.
-/// Every robot may have the others.
+/// A device that only robots of one type have names that type: `static constexpr const char* kRobot = "footbot";`.
+/// Other devices are available to every robot.
 ///
-/// As bytes a device is its fields one after the other, each in its own precision and little-endian, without padding; a
-/// span is its length (4 bytes) and its elements. A controller in another process therefore reads the same bits.
+/// The bytes of a device are those of its fields in order, each in its own precision and little-endian, without
+/// padding; a span is stored as its length (4 bytes) and its elements. A controller in another process therefore reads
+/// the same bits.
 ///
 /// Threads  devices register while a library loads (one thread); afterwards they are only read, from any thread.
 #pragma once
@@ -48,7 +50,7 @@ struct DeviceType {
   std::string summary;  ///< one sentence
   std::vector<FieldDescription> fields;
   std::vector<DeviceNumber> numbers;  ///< in the order of the bytes
-  std::string layout;  ///< of the bytes: "f8 f8"; two processes can exchange the device if theirs are equal
+  std::string layout;  ///< of the bytes: "f8 f8"; two processes can exchange the device if their layouts are equal
   void (*write)(const void* device, ByteWriter& out) = nullptr;
   /// @throws ByteError; the device is then partly read
   void (*read)(ByteReader& in, void* device, VariableParts& parts) = nullptr;
@@ -57,9 +59,9 @@ struct DeviceType {
   /// The safe stop of actuators, see safe_stop.hpp; null for sensors. @return whether the stop is over
   bool (*stop)(void* command, const SafeStopMoment& moment) = nullptr;
   std::string robot{};        ///< Device::kRobot: only robots of this type have the device; "": any
-  bool has_own_stop = false;  ///< `stopSafely` stands beside the struct; else the safe stop is what it does at rest
-  std::string name{};         ///< of the struct
-  std::string header{};       ///< that the struct is in, as it is included
+  bool has_own_stop = false;  ///< `stopSafely` is defined for the struct; else the safe stop is the command at rest
+  std::string name{};         ///< name of the struct
+  std::string header{};       ///< header of the struct, as it is included
 };
 
 /// @return null if no device of that type is registered
@@ -67,18 +69,19 @@ const DeviceType* findDeviceType(const std::string& type);
 /// Returns all types, sorted by type.
 std::vector<const DeviceType*> deviceTypes();
 
-/// Returns the robot types that devices name, sorted. A robot that consists of devices for any robot is none of them.
+/// Returns the robot types that devices name (kRobot), sorted. Types that have only devices for any robot are not
+/// included.
 std::vector<std::string> robotTypesOfDevices();
 
 /// Registers a type while a library loads; the first registration of a type stays.
 void registerDeviceType(DeviceType type);
 
-/// Returns the names of the numbers in the order of the bytes, "left right"; behind that of a span stand those in its
-/// elements: "blobs(color.red distance) overflowed".
+/// Returns the names of the numbers in the order of the bytes, "left right"; the name of a span is followed by those of
+/// its elements: "blobs(color.red distance) overflowed".
 std::string fieldNames(const DeviceType& device);
 
-/// Returns how a header is included, "my_package/sonar.hpp": what follows the last folder `include` of its path, or its
-/// name if there is no such folder.
+/// Returns the path by which a header is included, "my_package/sonar.hpp": the part of `file` after its last folder
+/// `include`, or the file name if there is no such folder.
 std::string includedAs(const std::string& file);
 
 /// Returns "sensor" or "actuator".
@@ -156,7 +159,7 @@ DeviceType makeDeviceType(DeviceKind kind, const std::string& summary) {
 
 }  // namespace detail
 
-/// Whether the function `fields` is defined beside the device.
+/// True if the function `fields` is defined for the device.
 template <class Device>
 constexpr bool kHasFields = detail::HasFields<Device>::value;
 
@@ -172,15 +175,15 @@ struct DeviceRegistration {
 
 }  // namespace swarmanoid
 
-/// Stands below the device's struct and its fields, in the same header and namespace: every library that includes the
-/// header registers the device. @param kind kSensor or kActuator @param summary one sentence
+/// For use below the device's struct and its `fields`, in the same header and namespace: every library that includes
+/// the header registers the device. @param kind kSensor or kActuator @param summary one sentence
 #define REGISTER_DEVICE(Device, kind, summary)                                           \
   inline const ::swarmanoid::DeviceRegistration<Device> device_registration_of_##Device{ \
       ::swarmanoid::DeviceKind::kind, summary, #Device, __FILE__};
 
-/// Does the same in the headers of swarmanoid_interface/devices/, in the library of the interface alone, which
-/// everybody loads: what a description takes is not compiled by all who include a device.
-#ifdef INCLUDES_ALL_OF_SWARMANOID_INTERFACE_DEVICES  // by the source that the build writes
+/// The same for the headers of swarmanoid_interface/devices/. Only the library of the interface, which every process
+/// loads, registers these devices; other code that includes a device does not compile its description.
+#ifdef INCLUDES_ALL_OF_SWARMANOID_INTERFACE_DEVICES  // defined by the source that the build writes
 #define REGISTER_DEVICE_OF_SUITE(Device, kind, summary) REGISTER_DEVICE(Device, kind, summary)
 #else
 #define REGISTER_DEVICE_OF_SUITE(Device, kind, summary) static_assert(::swarmanoid::kHasFields<Device>);

@@ -1,8 +1,8 @@
-/// Checks what a function expects of its caller (@pre). A violation is a mistake in the suite, not in a user's file, so
-/// it ends the process.
+/// Checks preconditions of functions (@pre). A violation is a mistake in the suite, not in a user's file, so it ends
+/// the process.
 ///
-/// Checked in builds without NDEBUG, and with the CMake option SWARMANOID_EXPECTATIONS, which ./test sets. Elsewhere
-/// the condition is compiled but never evaluated: it costs nothing.
+/// Checked in builds without NDEBUG, and with the CMake option SWARMANOID_EXPECTATIONS, which ./test sets. In other
+/// builds the condition is compiled but never evaluated, so it costs nothing.
 #pragma once
 
 #include <cstdio>

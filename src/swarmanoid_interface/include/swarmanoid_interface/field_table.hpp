@@ -1,7 +1,7 @@
-/// Where the numbers of a device lie, field by field, so that each field of many devices can be copied to one array and
-/// back. It follows from the device's descriptor (swarmanoid_interface/device_field.hpp).
+/// Offsets of the numbers of a device, field by field, so that each field of many devices can be copied to one array
+/// and back. The table is derived from the device's descriptor (swarmanoid_interface/device_field.hpp).
 ///
-/// Threads  any; tables are made once a type of device, and only read afterwards.
+/// Threads  any; tables are made once per device type and only read afterwards.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ namespace swarmanoid {
 struct FieldPlaces {
   std::string name;  ///< "value", "left.shoulder": without brackets
   NumberType type = NumberType::kF8;
-  std::vector<std::size_t> offsets;  ///< of its numbers, the last index fastest [byte]
+  std::vector<std::size_t> offsets;  ///< of its numbers, last index fastest [byte]
   std::vector<std::size_t> shape;    ///< of one record; empty: a single number
   std::size_t description = 0;       ///< index in DeviceType::fields
-  /// The same numbers as few pieces of bytes, one behind the other in a record.
+  /// A contiguous run of the same numbers in a record; the runs together cover the field.
   struct Piece {
     std::size_t offset = 0;
     std::size_t size = 0;
@@ -36,11 +36,11 @@ struct FieldTable {
 
   const FieldPlaces* findField(const std::string& name) const;
   const ListPlaces* findList(const std::string& name) const;
-  /// What may follow a prefix such as "" or "joints.": "value", "joints", sorted.
+  /// Names that may follow a prefix such as "" or "joints.": "value", "joints", sorted.
   std::vector<std::string> namesBehind(const std::string& prefix) const;
 };
 
-/// A list in a device: as many elements as there are in that tick.
+/// A list in a device; its length may change each tick.
 struct ListPlaces {
   std::string name;  ///< "blobs"
   std::size_t offset = 0;
@@ -48,7 +48,7 @@ struct ListPlaces {
   FieldTable elements;
 };
 
-/// @return valid for ever
+/// @return a table that is never destroyed
 const FieldTable& fieldTableOf(const DeviceType& type);
 
 /// Returns the size of a number of that type [byte].

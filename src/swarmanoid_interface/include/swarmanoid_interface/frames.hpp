@@ -1,8 +1,8 @@
 /// The frames between a space and a participant, a process that runs controllers for the space: one sensor frame and
 /// one command frame a tick. This file does not use ROS; swarmanoid_msgs has the messages of the same names.
 ///
-/// Data of a sensor frame: for each robot of the registration, in that order, one byte (1: present, 0: the controller
-/// is not to step, for the robot is deleted, has failed, or has another command source), and if present each of its
+/// Data of a sensor frame: for each robot of the registration, in that order, one byte (1: present, 0: not to be
+/// stepped, because the robot is deleted, has failed, or has another command source), and if present each of its
 /// sensors as a block (device_type.hpp). Data of a command frame: for each robot one byte (0: not stepped, 1: stepped,
 /// 2: its controller failed), then if stepped each of its actuators as a block, and its debug values: count, key,
 /// value, ...; if failed the reason.
@@ -50,7 +50,7 @@ enum class StepStatus : std::uint8_t { kNothing = 0, kStepped = 1, kFailed = 2 }
 struct DeviceLayout {
   std::string type;
   std::string layout;
-  std::string names = {};  ///< of its fields, as fieldNames has them; for those who do not have the device's struct
+  std::string names = {};  ///< of its fields, as fieldNames returns them; for processes without the device's struct
 };
 
 /// A robot that a participant commands.

@@ -1,6 +1,6 @@
-/// The moving parts of a robot that devices work with and engines simulate. A robot's description says which wheels,
-/// joints and holders it has; of flight it says nothing, so any robot may fly. A device names those that it needs; an
-/// engine accepts or refuses them. So engines know no devices, and devices no engines.
+/// The moving parts of a robot that devices work with and engines simulate. A robot's description lists its wheels,
+/// joints and holders but not flight, so any robot may fly. A device names the mechanisms that it needs; an engine
+/// accepts or refuses them. So engines do not depend on devices, nor devices on engines.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@ namespace swarmanoid {
 struct Mechanism {
   enum class Kind {
     kWheels,  ///< two driven wheels or treels: a differential drive
-    kFlight,  ///< it flies as it is commanded
+    kFlight,  ///< flight as commanded
     kJoint,   ///< a joint that turns a link
-    kHolder   ///< a part that holds on to other entities: a gripper, a hand with suction, a magnet, a rope
+    kHolder   ///< a part that holds other entities: a gripper, a hand with suction, a magnet, a rope
   };
 
   Kind kind = Kind::kWheels;
-  /// Of the joint or the holder in the robot's description; "": all joints or holders that it has, of which there is
-  /// one at least. The others have no name.
+  /// Name of the joint or holder in the robot's description; "": all of its joints or holders, at least one. Wheels and
+  /// flight have no name.
   std::string name = {};
 };
 

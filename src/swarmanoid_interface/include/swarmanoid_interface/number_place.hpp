@@ -1,7 +1,7 @@
-/// Where a number of a device lies, and how to read, write and limit it in any instance of the device.
+/// The place of a number in a device, with functions that read, write and limit it in any instance of the device.
 ///
 /// Units    those of its field, as the device's descriptor gives them.
-/// Threads  const after it is made; the bytes belong to one robot, and one thread at a time works on them.
+/// Threads  const after construction; the bytes belong to one robot, and one thread at a time accesses them.
 #pragma once
 
 #include <algorithm>
@@ -20,15 +20,15 @@ namespace swarmanoid {
 struct NumberPlace {
   std::size_t offset = 0;  ///< from the beginning of the device or of the element [byte]
   NumberType type = NumberType::kF8;
-  bool wraps = false;        ///< an angle, which is kept from -pi to pi
+  bool wraps = false;        ///< an angle that is wrapped to [-pi, pi]
   bool is_distance = false;  ///< a measured distance, which may be infinite
-  /// The bounds of its field, or the numbers next to them inside if the type does not have the bounds themselves:
-  /// single precision has no 0.7, and what is stored for it is less than that.
+  /// Bounds of the field. A bound that the type cannot represent is replaced by the nearest number of the type inside
+  /// the bounds: single precision, for example, has no 0.7.
   Range range;
 
   std::size_t size() const;  ///< [byte]
   bool isReal() const { return type == NumberType::kF4 || type == NumberType::kF8; }
-  /// Whether there are numbers that `limit` changes.
+  /// Returns whether `limit` changes any numbers.
   bool isBounded() const { return range.minimum > -kInfinity || range.maximum < kInfinity; }
 
   double read(const std::byte* fields) const {
@@ -36,14 +36,14 @@ struct NumberPlace {
            : type == NumberType::kF8 ? readReal<double>(fields)
                                      : readWhole(fields);
   }
-  /// Writes the nearest number that the type has: whole numbers are rounded, and nothing finite becomes infinite.
+  /// Writes the nearest number of the type: integers are rounded, and finite values stay finite.
   void write(std::byte* fields, double value) const {
     const double most = type == NumberType::kF4 ? mostOf<float>() : mostOf<double>();
     const bool is_kept = std::abs(value) < most || (is_distance && std::isinf(value));
     store(fields, is_kept ? value : std::clamp(value, -most, most));
   }
-  /// Brings the number within the bounds of its field: wrapped if it is such an angle, infinite if it is a measured
-  /// distance, else limited. NaN stays.
+  /// Limits the number to the bounds of its field. Outside of them, an angle that wraps is wrapped, a measured distance
+  /// becomes infinite, and any other number becomes the nearer bound. NaN stays.
   void limit(std::byte* fields) const {
     const double value = read(fields);
     if (is_distance) {
@@ -51,16 +51,16 @@ struct NumberPlace {
         store(fields, value < range.minimum ? -kInfinity : kInfinity);
       }
     } else if (isReal() && !wraps) {
-      // stored in any case: whether noise around a bound is beyond it is a branch that no processor predicts
+      // always stored: with noise around a bound, a branch would be mispredicted
       store(fields, std::clamp(value, range.minimum, range.maximum));
     } else if (!range.contains(value)) {
-      // the type has what lies within the bounds, so nothing can become infinite
+      // the type can represent all values within the bounds, so none becomes infinite
       store(fields, std::clamp(wraps ? wrapAngle(value) : value, range.minimum, range.maximum));
     }
   }
 
  private:
-  // Nearly all fields are real numbers, and each of them passes here in each tick: these are inline.
+  // Inline, because nearly all fields are real numbers, and these functions process each of them in each tick.
   template <class Real>
   double readReal(const std::byte* fields) const {
     Real real;

@@ -23,7 +23,7 @@ inline std::optional<NumberType> findNumberType(std::string_view name) {
   return std::nullopt;
 }
 
-/// Calls `visit` with a zero of the type. @return what that returns
+/// Calls `visit` with a zero of the type. @return its result
 template <class Visit>
 auto withNumberType(NumberType type, Visit visit) {
   switch (type) {

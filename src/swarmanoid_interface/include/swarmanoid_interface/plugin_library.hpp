@@ -10,7 +10,7 @@ namespace swarmanoid {
 
 /// Loads `lib<name>.so` (or the file itself, if `library` has a slash or ends in .so), once; loading it again does
 /// nothing. The library is searched in `folders`, then in lib/ of every prefix of CMAKE_PREFIX_PATH, then beside this
-/// library, then where the system's loader looks.
+/// library, then in the search path of the system's loader.
 /// @throws ConfigError at `location`, with every place that was searched or the loader's message
 void loadPluginLibrary(const std::string& library, const std::vector<std::string>& folders,
                        const SourceLocation& location);

@@ -27,7 +27,7 @@ class RandomStream {
     draw_ = 0;
   }
 
-  /// The ticks that start from now on have the sequences of another seed.
+  /// Sets another seed for the ticks that start from now on.
   void reseed(std::uint64_t seed) { seed_ = seed; }
 
   /// Returns 64 random bits.

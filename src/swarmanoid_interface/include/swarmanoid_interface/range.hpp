@@ -1,4 +1,4 @@
-/// Bounds of numbers: of parameters in experiment files, of fields of devices, of what can be simulated.
+/// Bounds of numbers: parameters in experiment files, fields of devices, limits of the simulation.
 #pragma once
 
 #include <limits>

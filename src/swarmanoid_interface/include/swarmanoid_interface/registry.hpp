@@ -1,4 +1,4 @@
-/// The one list of everything that can be named in an experiment file: controllers, sensors, actuators, engines,
+/// The registry of all plugins that an experiment file can name: controllers, sensors, actuators, engines,
 /// visualisations, rules and entity types. A plugin is registered when its library is loaded; libraries are never
 /// unloaded.
 ///
@@ -76,10 +76,10 @@ struct PluginDescription {
   std::string summary;         ///< one sentence
   std::vector<Parameter> parameters;
   std::vector<std::string> label_aliases;           ///< other tags that mean the same (the names of the thesis)
-  std::vector<std::string> implementation_aliases;  ///< likewise
-  std::vector<Mechanism> mechanisms;                ///< sensors and actuators: what the robot must have for them
-  /// Devices: robot types that carry it although their description does not list it; empty: any. Comes from kRobot of
-  /// the device's struct, if that has it.
+  std::vector<std::string> implementation_aliases;  ///< other values of `<implementation>`
+  std::vector<Mechanism> mechanisms;                ///< sensors and actuators: mechanisms that the robot must have
+  /// Devices: robot types that have the device even if their description does not list it; empty: any. It is kRobot of
+  /// the device's struct, if defined.
   std::vector<std::string> robots;
   bool free_parameters = false;  ///< the plugin reads parameters of any name (controllers)
 };
@@ -95,13 +95,13 @@ class Registry {
     Factory make;
   };
 
-  /// A plugin that was refused, for another of its name was first; or that is not the default, for another is it.
+  /// A plugin that was refused because its name is taken, or that is not the default because another one is.
   struct Conflict {
     PluginKind kind;
     std::string label;
     std::string implementation;
     std::string first_library;   ///< file name of the one that is used
-    std::string second_library;  ///< of the one that is not; it may be the same
+    std::string second_library;  ///< file name of the one that is not; it may be the same
     bool is_about_default = false;
   };
 

@@ -18,7 +18,7 @@
 
 namespace swarmanoid {
 
-/// A controller asked for a device that its configuration does not list.
+/// A controller requested a device that its configuration does not list.
 class DeviceError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -56,7 +56,7 @@ class alignas(64) Robot {
     return *static_cast<Device*>(find(actuators_, Device::kType, "actuator"));
   }
 
-  /// The same by the name of the type, for controllers that find fields by the device's descriptor (device_type.hpp).
+  /// The same by type name, for controllers that find fields by the device's descriptor (device_type.hpp).
   const void* sensor(const std::string& type) const { return find(sensors_, type.c_str(), "sensor"); }
   void* actuator(const std::string& type) { return find(actuators_, type.c_str(), "actuator"); }
 
@@ -67,17 +67,17 @@ class alignas(64) Robot {
   /// processes.
   RandomStream& random() { return random_; }
 
-  /// Writes a text to the log, prefixed with the robot's name, as a line of its own: line breaks at its end are left
-  /// out. Beyond 10 texts a second of robot time the rest is dropped, and one text reports that; a text is cut after
-  /// 10,000 bytes, and says so.
+  /// Writes a text to the log, prefixed with the robot's name, as a line of its own: line breaks at its end are
+  /// removed. At most 10 texts per second of robot time are written: the rest is dropped, and one text reports that. A
+  /// text longer than 10,000 bytes is truncated, and marked as such.
   void log(LogLevel level, const std::string& text);
   void log(const std::string& text) { log(LogLevel::kInfo, text); }
 
-  /// Sets a named value for people, shown in the text table's companion file, on a topic and as text in rviz. It moves
-  /// no robot; only a rule for handover in the experiment file can wait for it. After the first use of a key, a value
-  /// of up to 64 letters allocates nothing. A robot has at most kMostDebugKeys keys, since each use of a key searches
-  /// them, and keys and values at most kLongestDebugText bytes: the rest is left out, and one warning in the log
-  /// reports the first case.
+  /// Sets a named value for people, shown in the text table's companion file, on a topic and as text in rviz. It does
+  /// not affect the simulation, except that a handover rule in the experiment file can wait for it. After the first use
+  /// of a key, a value of up to 64 letters allocates nothing. A robot has at most kMostDebugKeys keys, since each use
+  /// of a key searches them, and keys and values at most kLongestDebugText bytes: the rest is left out, and one warning
+  /// in the log reports the first case.
   void debug(std::string_view key, std::string_view value);
   const std::vector<DebugValue>& debugValues() const { return debug_values_; }
 
@@ -85,7 +85,7 @@ class alignas(64) Robot {
   void provideSensor(const std::string& type, const void* readings);
   void provideActuator(const std::string& type, void* command);
   void setLogSink(LogSink sink) { log_sink_ = std::move(sink); }
-  /// The steps from now on draw with another seed.
+  /// Sets another seed for the steps from now on.
   void reseed(std::uint64_t seed) { random_.reseed(seed); }
   /// Is called before each step.
   void startTick(std::uint64_t tick, Time time) {
@@ -98,7 +98,7 @@ class alignas(64) Robot {
   void* find(const Devices& devices, const char* type, const char* kind) const;
   void warnOfDebug(const std::string& problem);
 
-  // What startTick writes stands side by side: there may be many robots.
+  // The members that startTick writes are adjacent, which saves cache misses with many robots.
   RandomStream random_;
   Time time_ = kEpoch;
   std::string name_;

@@ -1,11 +1,10 @@
-/// The commands of a robot's actuators when no controller decides any more: its controller threw, its sensors are lost,
-/// or its process ends. Hosts of controllers on robots, the simulator, and drivers that have received no command for
-/// too long use it.
+/// Safe stop: the commands of a robot's actuators once no controller commands them, because the controller threw, the
+/// sensors are lost, or the process ends. Hosts of controllers on robots, the simulator, and drivers that have received
+/// no command for too long use it.
 ///
-/// The function `stopSafely` beside the struct of an actuator defines its stop; without one the actuator gets its
-/// initial value, which means "do nothing" (device_type.hpp). The function starts from the last command and is called
-/// again every period, so that a stop may take its time: an eyebot hovers, then comes down. A held object is not
-/// dropped.
+/// The function `stopSafely` for the struct of an actuator defines its stop; without one the actuator gets its initial
+/// value, which means "do nothing" (device_type.hpp). The function starts from the last command and is called again
+/// every period, so that a stop can have phases: an eyebot hovers, then descends. Held objects are not dropped.
 #pragma once
 
 #include "swarmanoid_interface/robot.hpp"

@@ -1,5 +1,5 @@
-/// Makes, steps and ends one controller, for all hosts of controllers. Calls of the controller are noted
-/// (user_code.hpp).
+/// Makes, steps and ends one controller, for all hosts of controllers. Calls of the controller are recorded in the
+/// notes of user_code.hpp.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ namespace swarmanoid {
 constexpr const char* kNotFinite = "commanded a number that is not finite";
 
 /// Steps the controller; every exception is caught.
-/// @param step the call, as it is noted: its host makes it once, {"step", part, robot.name()}, and keeps it; a robot is
-/// stepped often, so its tick alone is set anew
+/// @param step the note of the call; the host makes it once, {"step", part, robot.name()}, and keeps it: only its tick
+/// is set in each step
 /// @param failure the reason if it failed; written only then
-/// @return whether it did not fail; else it is not to be stepped again
+/// @return true if it did not fail; after false the controller must not be stepped again
 bool stepController(Controller& controller, UserCode& step, Robot& robot, std::uint64_t tick, Time time, Duration dt,
                     std::string& failure);
 
@@ -30,7 +30,7 @@ bool stepController(Controller& controller, UserCode& step, Robot& robot, std::u
 std::shared_ptr<Controller> startController(const std::function<std::shared_ptr<Controller>()>& make,
                                             std::string_view part, Robot& robot, const Configuration& parameters);
 
-/// Calls destroy() of the controller and releases it, even if it throws. Null: nothing is done.
+/// Calls destroy() of the controller and releases it, even if it throws. Does nothing for null.
 /// @return "", or "destroy: " and the description of the exception
 std::string endController(std::shared_ptr<Controller>& controller, std::string_view part, const Robot& robot);
 

@@ -1,4 +1,4 @@
-/// Signals that end a process which has done something wrong.
+/// The signals of crashes.
 #pragma once
 
 #include <signal.h>
@@ -10,7 +10,7 @@ namespace swarmanoid {
 struct CrashSignal {
   int number;
   const char* name;
-  const char* ending;  ///< for messages that are written in a handler, where texts cannot be put together
+  const char* ending;  ///< for messages of signal handlers, which cannot concatenate texts
 };
 
 constexpr std::array<CrashSignal, 5> kCrashSignals{{{SIGSEGV, "SIGSEGV", "crashed: SIGSEGV"},

@@ -33,9 +33,9 @@ void onCrash(int signal) {
   _exit(toNumber(last_exit_code));
 }
 
-/// Results are complete: what libraries do from here on changes no exit status.
+/// Handles crashes from here on: the results are complete, so a crash of a library does not change the exit status.
 void takeCrashes() {
-  // the handler's stack, for the thread's own may be full; the one of user_code.cpp ends before static objects do
+  // stack of the handler, since the thread's own may be full; that of user_code.cpp is freed before static objects are
   static std::array<char, 64 * 1024> memory;
   stack_t stack{};
   stack.ss_sp = memory.data();
@@ -65,7 +65,7 @@ void endWithinSeconds(ExitCode code) {
       _exit(toNumber(code));
     }).detach();
   } catch (const std::system_error&) {
-    // the limit is not essential where no thread can be started
+    // the limit is not essential
   }
 }
 

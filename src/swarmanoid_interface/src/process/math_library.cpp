@@ -44,7 +44,7 @@ bool lists(const std::string& features, const std::string& feature) {
   return ("," + features + ",").find("," + feature + ",") != std::string::npos;
 }
 
-/// Features for which NumPy has versions of its own; it warns of those that the processor has not.
+/// Features for which NumPy has versions of its own; it warns about features that the processor lacks.
 std::vector<std::string> numpyFeatures() {
   std::vector<std::string> features;
 #if defined(__x86_64__)
@@ -91,7 +91,7 @@ std::string tunablesOfFixedMathLibrary(const std::string& tunables) {
   if (name == std::string::npos) {
     return tunables + (tunables.empty() ? "" : ":") + std::string(kName) + "-FMA,-FMA4";
   }
-  const auto start = name + kName.size();  // in the value as it was given, one character less
+  const auto start = name + kName.size();  // index in `tunables`, which lacks the leading colon
   const auto end = std::min(tunables.find(':', start), tunables.size());
   std::string features = tunables.substr(start, end - start);
   for (const std::string feature : {"-FMA", "-FMA4"}) {

@@ -10,7 +10,7 @@
 
 namespace swarmanoid {
 
-/// The call that one thread is in. Only that thread writes it. The note stays at its address for as long as the process
+/// The current call of one thread. Only that thread writes it. The note stays at its address for as long as the process
 /// lives; the texts that it points to are valid during the call.
 struct alignas(64) UserCallNote {
   std::atomic<bool> is_taken{false};           ///< a thread owns this note
@@ -24,18 +24,17 @@ using UserCallNotes = std::array<UserCallNote, kMostUserCallNotes>;
 UserCallNotes& userCallNotes();
 
 /// The note of this thread; null if the thread has never called users' code. A handler of signals may read it: it lies
-/// at a fixed offset, so no thread-local storage is made meanwhile. It is not thread_local, which other sources reach
-/// through a function only.
+/// at a fixed offset, so reading it allocates no thread-local storage. It is __thread because other sources access a
+/// thread_local variable through a function only.
 extern __thread UserCallNote* own_user_call_note __attribute__((tls_model("initial-exec"), visibility("hidden")));
 /// Makes the note of this thread, if one is left.
 void takeUserCallNote();
 
-/// Whether threads are held, see holdUserCalls.
+/// True while threads are held, see holdUserCalls.
 extern std::atomic<bool> are_user_calls_held __attribute__((visibility("hidden")));
 void standStillUnlessHolder();
 
-/// Notes the call that the thread is in from here on; null: none. It is inline because it runs twice per robot and
-/// tick.
+/// Sets the current call of the thread; null: none. It is inline because it runs twice per robot and tick.
 [[gnu::always_inline]] inline void noteUserCall(UserCallNote& note, const UserCode* call) {
   constexpr auto kRelaxed = std::memory_order_relaxed;
   std::atomic_signal_fence(std::memory_order_seq_cst);
@@ -77,18 +76,18 @@ class NotedCall {
   const UserCode* outer_;
 };
 
-/// Returns the present call of this thread. A handler of signals may call it.
+/// Returns the current call of this thread. A handler of signals may call it.
 UserCode ownUserCode();
 
 /// After this returns every other thread is blocked where it enters or leaves users' code, until the process ends or
-/// they are released. A call that is under way goes on, and does not return. A note that is read unchanged after this
+/// they are released. A call that is under way continues, but does not return. A note that is read unchanged after this
 /// stays valid for as long as the threads are held.
 void holdUserCalls();
-/// Releases the threads; is called by the thread that held them.
+/// Releases the threads. Only the thread that held them may call it.
 void releaseUserCalls();
 
-/// Is called instead of ending a thread or the process in the middle of users' code: "called exit". It does not return.
-/// Null: there is no watch.
+/// Called when a thread or the process would end in the middle of users' code: "called exit". It does not return. Null:
+/// there is no watch.
 using UserCodeEnder = void (*)(const char* ending);
 void setUserCodeEnder(UserCodeEnder ender);
 

@@ -22,7 +22,7 @@ namespace {
 UserCallNotes notes;
 std::atomic<UserCodeEnder> ender{nullptr};
 
-/// A stack for handlers of signals, for after an overflow the thread's own cannot be used.
+/// A stack for handlers of signals, since the thread's own is not usable after an overflow.
 class HandlerStack {
  public:
   HandlerStack() {
@@ -123,7 +123,7 @@ std::string otherThing(const std::string& what) { return "threw " + what + ", wh
 
 UserCallNotes& userCallNotes() { return notes; }
 
-// the attribute is repeated: a definition without it would take the place of the declaration's
+// the attribute is repeated: a definition without it would override the declaration
 __thread UserCallNote* own_user_call_note __attribute__((tls_model("initial-exec"))) = nullptr;
 
 [[gnu::noinline]] void takeUserCallNote() { thread_local OwnNote own; }

@@ -28,7 +28,7 @@ static_assert(std::atomic<ExitCode>::is_always_lock_free, "a signal handler read
 Order the_order;
 __attribute__((tls_model("initial-exec"))) thread_local bool is_watch = false;
 
-/// Writes all in one piece, if possible. If memory is not accessible the kernel refuses the write, but nothing crashes.
+/// Writes all words in one call, if possible. Inaccessible memory does not crash: the kernel refuses the write.
 void say(std::initializer_list<std::string_view> words) {
   std::array<iovec, 16> pieces{};
   int count = 0;
@@ -86,7 +86,7 @@ void endByDefault(int signal) {
   raise(signal);  // the signal is delivered when the handler returns
 }
 
-/// Runs on the watch's thread, which calls users' code only then.
+/// Ends the process if this is the watch's thread, which runs users' code only while it completes files.
 void endClosing(const char* ending) {
   if (is_watch && is_ending) {
     say({"swarmanoid: ", ending, " while files were completed\n"});

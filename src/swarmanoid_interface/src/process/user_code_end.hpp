@@ -1,5 +1,5 @@
-/// Ends a process in the middle of users' code: the thread that detects the failure reports it with functions that are
-/// allowed in a handler of signals, and leaves the rest to the watch's thread.
+/// Ends a process in the middle of users' code: the thread that detects the failure reports it with async-signal-safe
+/// functions, and leaves the rest to the watch's thread.
 #pragma once
 
 #include <atomic>

@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kLate = 5.0;          // [s] until a call is reported
 constexpr double kAgain = 30.0;        // [s] until it is reported again
 constexpr double kStuck = 0.4;         // [s] after which a call counts as stuck when the end is requested
-constexpr double kEndsByItself = 5.0;  // [s] for a process that is asked to end and is not in users' code
+constexpr double kEndsByItself = 5.0;  // [s] for a process outside users' code whose end is requested
 
 sem_t wake;
 std::atomic<int> ends_asked_for{0};
@@ -37,7 +37,7 @@ std::atomic<bool> is_watched{false};
 
 std::string secondsText(double seconds) { return std::to_string(std::lround(seconds)) + " s"; }
 
-/// Reads memory that may be unmapped: the kernel refuses to, where a pointer would crash.
+/// Reads memory that may be unmapped, through the kernel, which returns an error where a pointer would crash.
 class CarefulReader {
  public:
   CarefulReader() {
@@ -64,7 +64,7 @@ class CarefulReader {
   int pipe_[2] = {-1, -1};
 };
 
-/// One note, as it was when it was last read.
+/// The state of one note at its last reading.
 struct Sight {
   std::uint64_t changes = 0;
   double seconds = 0.0;        ///< duration of the call that is under way
@@ -115,7 +115,7 @@ class Watch {
 
   std::optional<LateCall> late() const {
     const std::lock_guard<std::mutex> lock(late_mutex_);
-    return late_ && !late_->isOver() ? late_ : std::nullopt;  // it may have returned since it was looked at
+    return late_ && !late_->isOver() ? late_ : std::nullopt;  // it may have returned since it was read
   }
 
  private:
@@ -162,7 +162,7 @@ void Watch::run() {
       endWith(order->ending, &order->code, user_code_end::exitCodeOf(order->code));
     }
     const auto now = Clock::now();
-    // if the process was stopped meanwhile, no more than this counts
+    // limits the time that counts if the process was stopped meanwhile
     const double passed = std::min(1.0, std::chrono::duration<double>(now - last).count());
     last = now;
     look(passed);
@@ -225,8 +225,8 @@ bool Watch::copy(const UserCallNote& note, const Sight& sight, OwnedCode& owned)
   return !is_over();
 }
 
-/// Holds all users' code, so that no thread uses what is being closed.
-/// @return false if the call in question has ended meanwhile; then all threads go on
+/// Holds all users' code, so that no other thread uses the objects that are being closed.
+/// @return false if the call has ended meanwhile; then all threads continue
 bool Watch::holdUnlessOver(std::size_t i) const {
   holdUserCalls();
   const bool is_over = userCallNotes()[i].changes.load(std::memory_order_acquire) != sights_[i].changes;
@@ -266,7 +266,7 @@ void Watch::endWith(const std::string& ending, const UserCode* code, ExitCode ex
   if (user_code_end::order() == nullptr && code != nullptr) {
     std::fprintf(stderr, "swarmanoid: %s\n", reason.c_str());
   }
-  if (code != nullptr) {  // otherwise other threads may use what is to be closed
+  if (code != nullptr) {  // otherwise other threads may use the objects to be closed
     const std::lock_guard<std::mutex> lock(closings_mutex_);
     for (const auto& [number, close] : closings_) {
       try {

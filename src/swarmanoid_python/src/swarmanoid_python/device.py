@@ -1,11 +1,11 @@
-"""Devices as controllers see them: their fields by name.
+"""Devices for controllers, with their fields by name.
 
     robot.actuators.footbot_wheels.left = 2.0
     robot.sensors.footbot_proximity.value[3]
     robot.actuators.handbot_arms.left.elbow
     robot.sensors.footbot_camera.blobs[0].distance
 
-Names may also come as text: robot.sensors["handbot_arms_state"]["joints[2].angle"]. Values are Python numbers, not
+Names may also be strings: robot.sensors["handbot_arms_state"]["joints[2].angle"]. Values are Python numbers, not
 numpy's: a float has the precision of a C++ double, so that the same arithmetic has the same result in both languages.
 `numpy.asarray` makes an array of any field that has several numbers."""
 
@@ -16,7 +16,7 @@ from .names import Fields, UnknownName, parts
 
 
 def _row(path, values, count):
-    """@return the values as a list; @raise ValueError if they are not that many"""
+    """@return the values as a list; @raise ValueError if their number differs from `count`"""
     try:
         values = iter(values)
     except TypeError:
@@ -37,8 +37,7 @@ def _check_index(path, elements, index):
 
 
 class View:
-    """A field with fields of its own, or an array. It has no values of its own: it sees, and writes, those of its
-    device."""
+    """A field with fields of its own, or an array. It stores no values: it reads and writes those of its device."""
 
     __slots__ = ("_values", "_fields")
 
@@ -46,7 +45,7 @@ class View:
         object.__setattr__(self, "_values", values)
         object.__setattr__(self, "_fields", fields)
 
-    def __reduce__(self):  # a copy keeps the values that it was made of
+    def __reduce__(self):  # a copy has its own copy of the values
         return type(self), (type(self._values)(self._values), self._fields)
 
     def _get(self, key):
@@ -65,8 +64,8 @@ class View:
             self._set(key, value)
 
     def _at(self, name):
-        """@return what holds the field of such a name, for "left.elbow" the view of left, for "blobs[0]" the list, and
-        the key of the field in it, which a list has"""
+        """@return the container of the named field and the field's key in it: for "left.elbow" the view of left and
+        "elbow", for "blobs[0]" the list and 0"""
         holder, key, shown = self, None, self._fields.path
         for part in parts(name):
             if key is not None:
@@ -127,8 +126,8 @@ class View:
 
 
 class Device(View):
-    """A device, or an element of a list in one. By numbers it is the row of all its values in the order in which they
-    travel, those of fields in fields and of arrays one after the other; elements of lists cannot be written."""
+    """A device, or an element of a list in one. Indexed by numbers it is the flat sequence of all values in wire order:
+    nested fields and arrays one after the other. Elements of lists are read-only."""
 
     __slots__ = ()
 
@@ -154,7 +153,7 @@ class Device(View):
 
 
 def replace_values(device, values):
-    """Puts a reading into a device; whoever holds the device sees it."""
+    """Replaces the values of a device in place; all references to the device see them."""
     values = list(values)
     for place, fields in device._fields.lists.items():
         values[place] = [Device(tuple(element), fields) for element in values[place]]
@@ -162,13 +161,13 @@ def replace_values(device, values):
 
 
 class Devices(collections.abc.Mapping):
-    """The sensors or the actuators of a robot by type, sensors.footbot_proximity or sensors["footbot_proximity"]. What is
-    assigned to a device are its values in the order in which they travel."""
+    """The sensors or the actuators of a robot by type, sensors.footbot_proximity or sensors["footbot_proximity"]. An
+    assignment to a device sets its values, in wire order."""
 
     __slots__ = ("_kind", "_devices")
 
     def __init__(self, kind, devices):
-        """@param kind "sensor" or "actuator"; @param devices a Device by its type"""
+        """@param kind "sensor" or "actuator"; @param devices Device by type"""
         object.__setattr__(self, "_kind", kind)
         object.__setattr__(self, "_devices", dict(devices))
 

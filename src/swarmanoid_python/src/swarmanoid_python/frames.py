@@ -1,4 +1,5 @@
-"""Sensor frames to robots, robots to command frames, as swarmanoid_interface/frames.hpp has them. No ROS here."""
+"""Decodes sensor frames into robots and encodes command frames, as defined in swarmanoid_interface/frames.hpp. Free of
+ROS."""
 
 import struct
 import traceback
@@ -29,7 +30,7 @@ def _resting(kind, layouts):
 
 
 class Hosted:
-    """One robot of a registration, and its controller while there is one."""
+    """One registered robot, and its controller while the robot exists."""
 
     def __init__(self, description, make_controller):
         self._description = description
@@ -39,13 +40,14 @@ class Hosted:
         self.drop()
 
     def drop(self):
-        """The controller goes; the next step makes a new one."""
+        """Deletes the controller; the next step creates a new one."""
         self._robot = None
         self._controller = None
         self._failure = ""
 
     def answer(self, data, position, seed, time, dt):
-        """Takes the robot's part of a sensor frame. @return its part of the command frame, and the position behind"""
+        """Reads the robot's part of a sensor frame. @return its part of the command frame, and the position after the
+        part that was read"""
         is_present = data[position]
         position += 1
         if not is_present:
@@ -75,7 +77,7 @@ class Hosted:
                     self._controller = self._make_controller(self._robot)
                 self._controller.step(time, dt)
                 return bytes([_STEPPED]) + self._commands()
-            except Exception as error:  # it stops its robot, not the others
+            except Exception as error:  # stops this robot only
                 traceback.print_exc()
                 self._failure = f"{type(error).__name__}: {error}"
         return bytes([_FAILED]) + _text(self._failure)

@@ -1,6 +1,6 @@
-"""Devices as bytes, by the layout that the space reports: "f8 f8" is two doubles, "(u1 f4)* b1" a list of pairs and a
-truth value. swarmanoid_interface/device_type.hpp says how they are written: little-endian, without padding, a list as its
-length (4 bytes) and its elements."""
+"""Encodes devices as bytes, by the layout that the space reports: "f8 f8" is two doubles, "(u1 f4)* b1" a list of pairs
+and a boolean. The encoding is defined in swarmanoid_interface/device_type.hpp: little-endian, without padding, a list as
+its length (4 bytes) and its elements."""
 
 import operator
 import re
@@ -25,7 +25,7 @@ def _is_truth_value(value):
 
 
 def _pack_one(letter, value):
-    if letter == "?" and not _is_truth_value(value):  # struct takes the truth of anything, that of "no" is True
+    if letter == "?" and not _is_truth_value(value):  # struct converts any object to bool: "no" would be True
         raise struct.error
     return struct.pack("<" + letter, value)
 
@@ -46,7 +46,7 @@ def _pack(letters, values, names):
 
 
 class Layout:
-    """Reads and writes the fields of one device: a list of values, in which a list of structs is a list of tuples."""
+    """Reads and writes the fields of one device as a flat list of values; a list of structs is a list of tuples."""
 
     def __init__(self, text):
         self._fields = []  # struct formats, and layouts of lists
@@ -61,7 +61,7 @@ class Layout:
                 self._fields.append("<" + _LETTERS[word])
 
     def read(self, data, position=0):
-        """@return the values, and the position behind them"""
+        """@return the values, and the position after them"""
         values = []
         for field in self._fields:
             if isinstance(field, str):
@@ -78,8 +78,8 @@ class Layout:
         return values, position
 
     def write(self, values, names=()):
-        """@param names of the values, for messages; @raise ValueError if there are too many or too few, or one does not
-        fit its field"""
+        """@param names of the values, for messages; @raise ValueError for a wrong number of values, or a value that does
+        not fit its field"""
         values = list(values)
         count = sum(len(field) - 1 if isinstance(field, str) else 1 for field in self._fields)
         if len(values) != count:
@@ -98,7 +98,7 @@ class Layout:
         return data
 
     def initial(self):
-        """Every number 0, every list empty."""
+        """@return initial values: numbers are 0, lists are empty"""
         values = []
         for field in self._fields:
             values.extend([0] * (len(field) - 1) if isinstance(field, str) else [[]])

@@ -1,5 +1,5 @@
-"""The names of devices' fields, as the space reports them: "left right", "value[0] value[1] ...", and for a list the
-names of its elements in brackets behind its own, "blobs(color.red distance) overflowed"."""
+"""Names of device fields, as the space reports them: "left right", "value[0] value[1] ...". A list is followed by the
+names of its elements in parentheses, "blobs(color.red distance) overflowed"."""
 
 import difflib
 import re
@@ -10,8 +10,8 @@ _PART = re.compile(r"([^.\[\]]+)|\[([0-9]+)\]")
 
 
 class UnknownName(AttributeError, KeyError):
-    """There is no device or field of that name. Both an AttributeError and a KeyError, so that `hasattr`, `in` and `get`
-    work as everywhere."""
+    """No device or field has that name. Both an AttributeError and a KeyError, so that `hasattr`, `in` and `get` work as
+    usual."""
 
     def __init__(self, where, found, allowed):
         allowed = [str(name) for name in allowed]
@@ -19,28 +19,28 @@ class UnknownName(AttributeError, KeyError):
         super().__init__(f"{where} '{found}', allowed: {', '.join(allowed) or 'none'}"
                          + (f"; did you mean '{close[0]}'?" if close else ""))
 
-    def __str__(self):  # that of KeyError puts quotes around the text
+    def __str__(self):  # KeyError would quote the text
         return self.args[0]
 
 
 def parts(name):
-    """ "joints[2].angle" as ["joints", 2, "angle"]. @return nothing if it is not written as names are: "left..elbow",
-    "value[00]" """
+    """Splits "joints[2].angle" into ["joints", 2, "angle"]. @return an empty list for invalid names such as "left..elbow"
+    and "value[00]" """
     if not _NAME.fullmatch(name):
         return []
     return [word or int(index) for word, index in _PART.findall(name)]
 
 
 class Fields(dict):
-    """The fields of a device, or of one of its fields, by name, or by number if it is an array. Each is the place of its
-    value among all values of the device, or Fields again."""
+    """The fields of a device, or of one of its fields, by name, or by number for an array. Each maps to the index of its
+    value among all values of the device, or to nested Fields."""
 
     def __init__(self, path, text=""):
-        """@param path for messages, "handbot_arms/left"; @param text the names of the fields"""
+        """@param path for messages, such as "handbot_arms/left"; @param text names of the fields"""
         super().__init__()
         self.path = path
-        self.names = []  # of the values, by their places: "handbot_arms/left.elbow"
-        self.lists = {}  # place of a list: Fields of one element
+        self.names = []  # name of each value, by index: "handbot_arms/left.elbow"
+        self.lists = {}  # index of a list -> Fields of one element
         for name, inner in re.findall(r"([^\s()]+)(?:\(([^()]*)\))?", text):
             place = len(self.names)
             self.names.append(f"{path}/{name}")
@@ -62,7 +62,7 @@ class Fields(dict):
         self[first]._insert(rest, place)
 
     def unknown(self, name):
-        """@return the error that there is no field of that name"""
+        """@return the error for an unknown field name"""
         return UnknownName(f"{self.path}: found no field", name, [f"[0] to [{len(self) - 1}]"] if 0 in self else self)
 
     def find(self, key):
@@ -71,7 +71,7 @@ class Fields(dict):
         return self[key]
 
     def key_at(self, index):
-        """@return the name of a field by its position; -1 is the last"""
+        """@return the name of a field by its index; -1 is the last"""
         keys = list(self)
         if not -len(keys) <= index < len(keys):
             raise IndexError(f"{self.path}: found index {index}, allowed: {-len(keys)} to {len(keys) - 1}")

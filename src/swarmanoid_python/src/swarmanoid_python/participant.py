@@ -10,8 +10,8 @@ from .frames import Hosted
 
 
 class Participant:
-    """Registers with a space and answers each of its sensor frames with the commands of its robots. The space waits for
-    each answer, so that the run is the same however long it takes.
+    """Registers with a space and answers each sensor frame with the commands of its robots. The space waits for each
+    answer, so runs do not depend on computation time.
 
         class Patrol:
             def __init__(self, robot): ...
@@ -20,13 +20,14 @@ class Participant:
         rospy.init_node("patrol")
         Participant(["fb_1", "fb_2"], Patrol).run()
 
-    An exception stops the robot of its controller, not the others. After a reset controllers start anew.
+    An exception in a controller stops its robot, not the others. A reset creates new controllers.
     """
 
     def __init__(self, robots, make_controller, space="/space", name=None, timeout=0.0, policy=""):
-        """@param robots their names; @param make_controller called with a Robot; @param name of the participant: the
-        node's; @param timeout for each answer [s] and @param policy ("wait", "skip", "stop") when one is late: the space's
-        @raise RuntimeError if the space refuses, saying why"""
+        """@param robots names of the robots; @param make_controller called with a Robot; @param name of the participant,
+        by default the node's; @param timeout of each answer [s]; @param policy for late answers ("wait", "skip", "stop").
+        The defaults of timeout and policy are the space's settings.
+        @raise RuntimeError with the reason if the space rejects the registration"""
         self._name = name or rospy.get_name().lstrip("/")
         self._robots = list(robots)
         self._space = space
@@ -43,7 +44,7 @@ class Participant:
         self._over = threading.Event()
 
     def run(self):
-        """Until the space is gone, or the node is shut down."""
+        """Answers until the space ends or the node is shut down."""
         topics = f"{self._space}/participants/{self._name}"
         commands = rospy.Publisher(topics + "/commands", CommandFrame, queue_size=1, latch=True, tcp_nodelay=True)
         sensors = rospy.Subscriber(topics + "/sensors", SensorFrame, self._answer, commands, queue_size=1,
@@ -60,7 +61,7 @@ class Participant:
 
     def _answer(self, frame, commands):
         if frame.session != self._session:
-            return  # for a former self, still latched
+            return  # latched, for an earlier participant of the same name
         stamp = (frame.run, frame.tick)
         if self._answered is None or self._answered[0] != stamp:
             self._answered = (stamp, self._commands(frame))

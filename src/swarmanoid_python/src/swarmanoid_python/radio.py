@@ -9,7 +9,7 @@ _BITS = 48
 
 
 def address_of(name):
-    """The same as addressOf of swarmanoid_interface/devices/radio.hpp. @param name of the robot"""
+    """Same result as addressOf of swarmanoid_interface/devices/radio.hpp. @param name of the robot"""
     value = 0xCBF29CE484222325  # FNV-1a
     for byte in name.encode():
         value = (value ^ byte) * 0x100000001B3 % 2**64

@@ -1,4 +1,4 @@
-/// Where a picture is taken from.
+/// Pose and field of view of a camera.
 ///
 /// Frame   positions are in the world frame [m]. A camera whose angles are zero looks along x, with z up.
 /// Source  thesis 4.2, camera_view_XYZ_0 and camera_view_HPR_0.
@@ -12,11 +12,11 @@ struct Camera {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   double heading = 0.0;        ///< to the left, about z [rad]
   double pitch = 0.0;          ///< upwards [rad]; the thesis's sign, not that of REP-103
-  double roll = 0.0;           ///< about where it looks, right-handed: the left side up [rad]
+  double roll = 0.0;           ///< about the viewing direction, right-handed: the left side rises [rad]
   double field_of_view = 1.0;  ///< from the left to the right border of the picture [rad], below pi
 };
 
-/// The axes of a camera in the world, of length 1.
+/// Unit axes of a camera in W.
 struct CameraAxes {
   Eigen::Vector3d forward;
   Eigen::Vector3d right;
@@ -24,7 +24,7 @@ struct CameraAxes {
 };
 CameraAxes axesOf(const Camera& camera);
 
-/// A camera that looks from the south down on a box, which fills the picture but for a border of 4 %.
+/// A camera that looks north and down at a box. The box fills the picture except for a border of 4 %.
 /// @param seen the box, in W [m] @param aspect width of the picture by its height
 Camera overview(const Eigen::AlignedBox3d& seen, double field_of_view, double aspect);
 

@@ -10,7 +10,7 @@ namespace swarmanoid {
 struct Picture {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgb;  ///< three a pixel, row after row from the top; height x width x 3
+  std::vector<std::uint8_t> rgb;  ///< three bytes per pixel, row by row from the top; height x width x 3
 
   const std::uint8_t* pixel(int column, int row) const {
     constexpr std::size_t kChannels = 3;
@@ -19,7 +19,7 @@ struct Picture {
   }
 };
 
-/// The content of a PNG file. @throws std::runtime_error if libpng cannot make it
+/// Encodes a picture as PNG. @throws std::runtime_error if libpng fails
 std::vector<char> toPng(const Picture& picture);
 
 }  // namespace swarmanoid

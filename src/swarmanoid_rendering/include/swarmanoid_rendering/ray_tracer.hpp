@@ -1,8 +1,8 @@
-/// Pictures by rays (Embree): hidden surfaces, shadows of one sun, what is translucent. Rods are lines of a drawing,
-/// beams, ropes: they have no shadow.
+/// Ray tracer (Embree) with hidden surfaces, shadows of one sun, and translucency. Rods stand for drawn lines, beams
+/// and ropes, so they cast no shadow.
 ///
-/// Threads  one call at a time; `render` takes as many as it was given.
-/// Bits     pictures are looked at: they need not be equal on other machines. Nothing of a run depends on them.
+/// Threads  one call at a time; `render` uses as many threads as the constructor was given.
+/// Bits     pictures may differ between machines; no result of a run depends on them.
 #pragma once
 
 #include <memory>
@@ -15,12 +15,12 @@ namespace swarmanoid {
 
 class RayTracer {
  public:
-  /// Each can be replaced without the others.
+  /// Each part can be replaced without the other.
   enum class Part { kFixed, kMoving };
 
   struct Options {
     bool has_shadows = true;
-    int samples = 2;  ///< rays a pixel along each side, from 1
+    int samples = 2;  ///< rays per pixel along each side, from 1
   };
 
   /// @param threads from 1 @throws std::runtime_error if Embree cannot be started
@@ -29,17 +29,17 @@ class RayTracer {
   RayTracer(const RayTracer&) = delete;
   RayTracer& operator=(const RayTracer&) = delete;
 
-  /// Replaces a part of what is seen. @throws std::bad_alloc
+  /// Replaces one part of the scene. @throws std::bad_alloc
   void set(Part part, Geometry geometry);
 
   /// @param width, height in pixels, from 1
   Picture render(const Camera& camera, int width, int height, const Options& options) const;
 
-  /// Towards the sun, of length 1.
+  /// Unit vector towards the sun.
   static Eigen::Vector3f sun();
-  /// What there is where nothing is.
+  /// Colour of rays that hit nothing.
   static Eigen::Vector3f background();
-  /// The part of a colour that is seen in shadow, or where the sun's rays only touch; the rest is the sun's.
+  /// Fraction of a colour that is visible in shadow and on surfaces that face away from the sun; the sun adds the rest.
   static constexpr float kAmbient = 0.5F;
 
  private:

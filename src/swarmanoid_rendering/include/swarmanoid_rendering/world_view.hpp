@@ -1,7 +1,7 @@
-/// A space as rviz shows it, for pictures: arena, robots' bodies where their joints have them, LEDs, beams, grips,
-/// ropes. Texts, and what devices and engines draw, are left out.
+/// A space as rviz shows it, for pictures: arena, links of robots posed by their joints, LEDs, beams, grips, ropes.
+/// Texts and the drawings of devices and engines are left out.
 ///
-/// Robots  up to Transforms::kFewRobots have the bodies of their URDF, more are balls, as in rviz.
+/// Robots  up to Transforms::kFewRobots have the bodies of their URDF; with more, all are balls, as in rviz.
 /// Phase   both functions: `show`, on the simulation's thread.
 /// Errors  std::runtime_error for a mesh of a robot that cannot be read
 #pragma once
@@ -21,9 +21,10 @@ class WorldView {
   WorldView(const WorldView&) = delete;
   WorldView& operator=(const WorldView&) = delete;
 
-  /// Notes whether what nobody moves has changed. To be called once before the first tick and after each.
+  /// Notes whether entities were added, deleted, moved or recoloured from outside, so that the fixed part has to be
+  /// drawn anew. Call it once before the first tick and after each.
   void follow(const Space& space);
-  /// Gives the tracer what the space looks like now; what nobody moves only if it has changed since the last call.
+  /// Updates the tracer to the current state of the space; the fixed part only if `follow` noted changes.
   void show(const Space& space, RayTracer& tracer);
 
  private:

@@ -16,7 +16,7 @@ Isometry3d toIsometry(const geometry_msgs::Pose& pose) {
   return Eigen::Translation3d(toVector(pose.position)) * turn.normalized();
 }
 
-/// A marker with its place in the world.
+/// A marker with its pose in W.
 struct Placed {
   const Marker& marker;
   Isometry3d pose;
@@ -30,7 +30,7 @@ struct Placed {
   std::size_t count() const { return marker.points.size(); }
 };
 
-/// @param step 2 if each line has ends of its own, 1 if it begins where the last one ends
+/// @param step 2 if each line has its own two points, 1 if it begins at the end of the previous one
 void addLines(const Placed& placed, std::size_t step, Geometry& geometry) {
   for (std::size_t from = 0; from + 1 < placed.count(); from += step) {
     if (placed.point(from) != placed.point(from + 1)) {

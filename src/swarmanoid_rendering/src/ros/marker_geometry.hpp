@@ -1,4 +1,4 @@
-/// What rviz draws of a marker, as geometry.
+/// Converts markers to geometry, as rviz draws them.
 #pragma once
 
 #include <visualization_msgs/Marker.h>
@@ -8,7 +8,7 @@
 
 namespace swarmanoid {
 
-/// Texts add nothing, and neither does a marker that is to be deleted.
+/// Texts, and markers with another action than ADD, add nothing.
 /// @param frame of the marker, in the world
 /// @throws std::runtime_error for a mesh that cannot be read
 void addMarker(const visualization_msgs::Marker& marker, const Eigen::Isometry3d& frame, MeshFiles& meshes,

@@ -31,7 +31,7 @@ class WorldView::Markers {
       addMarker(body, placeOf(body.header.frame_id), meshes_, moving);
     }
     for (const Marker& marker : moving_.draw(space).markers) {
-      if (marker.ns != "label_lines") {  // to texts, which are not there
+      if (marker.ns != "label_lines") {  // lines to texts, which are not drawn
         addMarker(marker, Eigen::Isometry3d::Identity(), meshes_, moving);
       }
     }
@@ -80,7 +80,7 @@ class WorldView::Markers {
   bool is_arena_due_ = false;
   Transforms transforms_;
   MovingMarkers moving_;
-  std::vector<Marker> bodies_;  // of robots, in the frames of their links
+  std::vector<Marker> bodies_;  // links of robots, in the frames of the links
   tf2::BufferCore frames_;
   MeshFiles meshes_;
 };

@@ -1,18 +1,18 @@
-/// The base classes of simulated actuators. One object serves all robots of one controller configuration: it takes
-/// their commands, checks, limits and disturbs them, and passes what comes of it on to the robots' mechanisms, which
-/// engines read.
+/// The base classes of simulated actuators. One object serves all robots of one controller configuration: it reads
+/// their commands, checks, limits and disturbs them, and passes the resulting actuation to the robots' mechanisms,
+/// which engines read.
 ///
 /// Phases   configure, add, remove, setFaults, stop: between phases. actuate: the phase of this name.
-///          afterMove: in `connect`. draw: in `show` or between ticks, if somebody looks.
+///          afterMove: in `connect`. draw: in `show` or between ticks, if a viewer is active.
 /// Noise    drawn from the instance's own stream.
-/// Errors   those of <error> elements act on the actuation after the check and before `limit`. addErrorAlias makes a
-///          parameter of the actuator mean such an error, which draws from a stream of the same name as the instance's
-///          own: the numbers are the same, so an actuator that draws itself should have no aliases that draw. Faults of
-///          single robots (setFaults) act after these, and before `limit`.
+/// Errors   errors of <error> elements act on the actuation after the check and before `limit`. addErrorAlias makes a
+///          parameter of the actuator mean such an error. The alias draws from a stream of the same name as the
+///          instance's own stream, so both give the same numbers: an actuator that draws random numbers itself should
+///          have no aliases that draw. Faults of single robots (setFaults) act after these errors and before `limit`.
 ///
 /// To add an actuator: write its struct in an interface header, derive from ActuatorOf<Struct>, end with
-/// REGISTER_ACTUATOR. Beside the struct stands its descriptor (swarmanoid_interface/device_type.hpp), for the check of
-/// numbers and the safe stop; the struct's initial value means "do nothing".
+/// REGISTER_ACTUATOR. The struct's descriptor (swarmanoid_interface/device_type.hpp) stands beside it; the finiteness
+/// check and the safe stop use it. The initial value of the struct means "do nothing".
 #pragma once
 
 #include <algorithm>
@@ -36,41 +36,41 @@ namespace swarmanoid {
 
 class Actuator {
  public:
-  using DeviceStruct = void;  ///< ActuatorOf knows it
+  using DeviceStruct = void;  ///< defined by ActuatorOf
 
   virtual ~Actuator() = default;
 
   /// @throws ConfigError
   virtual void configure(const Configuration& parameters) = 0;
 
-  /// After `configure`. @throws ConfigError if they do not suit the device
+  /// Called after `configure`. @throws ConfigError if the errors do not suit the device
   virtual void takeErrors(const std::vector<ErrorModelDescription>& errors) = 0;
 
-  /// Adds the instance of a robot. @return where it writes its command, for as long as it lives
+  /// Adds the instance of a robot. @return its command struct, valid as long as the robot lives
   virtual void* add(Space& space, Row row) = 0;
   virtual void remove(Space& space, Row row) = 0;
 
-  /// What is wrong with the actuator of that robot from the next tick on, instead of what setFaults said before;
-  /// nothing: it is mended. @throws ConfigError if it does not suit the device; then nothing has changed
+  /// Replaces the faults of one robot's actuator from the next tick on; an empty list repairs it. @throws ConfigError
+  /// if a fault does not suit the device; then nothing has changed
   virtual void setFaults(const Space& space, Row row, const std::vector<ErrorModelDescription>& errors) = 0;
-  /// As setFaults said; nothing for robots without such an actuator.
+  /// The faults that were set last; empty for robots without such an actuator.
   virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
-  /// Between ticks: what is drawn from now on is that of another seed.
+  /// Between ticks: later random draws use another seed.
   virtual void reseed(std::uint64_t seed) = 0;
 
-  /// Commands to actuation. Rows whose command holds a number that is not finite are added to `faulty`; their
-  /// actuation stays what it was.
+  /// Turns commands into actuation. Adds the rows of commands with a number that is not finite to `faulty`; their
+  /// actuation keeps its previous value.
   virtual void actuate(Space& space, std::vector<Row>& faulty) = 0;
-  /// The same on many threads, by actuators for which that is the same (ActuatorOf::is_by_robot_).
+  /// The same on many threads, for actuators that handle each robot independently (ActuatorOf::is_by_robot_).
   virtual void actuate(Space& space, std::vector<Row>& faulty, const Parallel& /*workers*/) { actuate(space, faulty); }
-  /// After the engines have moved: what depends on the new poses, such as where a laser beam ends.
+  /// Called after the engines have moved: updates data that depend on the new poses, such as the end of a laser beam.
   virtual void afterMove(Space&) {}
-  /// The robot's command becomes that of its safe stop, and is carried out at once. Starts from the last command that
-  /// is sound. Errors of <error> elements and faults act on it too. @return whether the stop is over: the command stays
-  /// now
+  /// Replaces the robot's command by that of its safe stop and carries it out at once. Starts from the last finite
+  /// command. Errors of <error> elements and faults act on it too.
+  /// @return whether the stop is over: the command no longer changes
   virtual bool stop(Space& space, Row row, const SafeStopMoment& moment) = 0;
 
-  /// Shows people what the actuators of those robots do that the drawing is of. Changes nothing.
+  /// Draws the actuators of the robots that the drawing is for. Changes nothing.
   virtual void draw(const Space& /*space*/, DeviceDrawing& /*drawing*/) const {}
 
   const char* type() const { return type_; }
@@ -89,7 +89,7 @@ struct BasicActuatorInstance {
   Device* command = nullptr;
   Device* actuation = nullptr;
   RandomStream random;
-  std::unique_ptr<DeviceFault> fault;  ///< null as long as nothing is wrong with this one alone
+  std::unique_ptr<DeviceFault> fault;  ///< null while this instance has no fault of its own
 };
 
 template <class Device, class Instance = BasicActuatorInstance<Device>>
@@ -111,7 +111,7 @@ class ActuatorOf : public Actuator {
     instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
     prepareInstance(space, instance);
     Device* command = instance.command;
-    apply(space, instance);  // from now on its mechanisms are commanded, at rest
+    apply(space, instance);  // its mechanisms are commanded from now on, at rest
     instances_.push_back(std::move(instance));
     if (!errors_.isEmpty()) {
       error_states_.push_back({row, errors_.makeState(space.seed, space.entities.name[row], 0)});
@@ -172,7 +172,7 @@ class ActuatorOf : public Actuator {
       return;
     }
     constexpr std::size_t kGrain = 512;
-    std::mutex mutex;  // of `faulty`, which few get into
+    std::mutex mutex;  // guards `faulty`, which is rarely written
     workers.forRanges(instances_.size(), kGrain, [&](std::size_t first, std::size_t last) {
       std::vector<Row> found;
       actuateRange(space, found, first, last);
@@ -193,7 +193,7 @@ class ActuatorOf : public Actuator {
         }
         is_over = detail::stop(*instance.command, moment);
         if (errors_.hasListed() || instance.fault != nullptr) {
-          // a motor that is stuck or late is so for a safe stop too
+          // a stuck or late motor is stuck or late in a safe stop too
           *instance.actuation = *instance.command;
           if (errors_.hasListed()) {
             errors_.applyListed(instance.actuation, error_states_[k].errors, space.tick);
@@ -222,29 +222,29 @@ class ActuatorOf : public Actuator {
  protected:
   ActuatorOf() : Actuator(Device::kType) {}
 
-  /// In `configure`: a parameter of this actuator means an error; 0 means none.
-  /// @param kind of the error @param field that it acts on, "" for all @param parameter of the kind
+  /// In `configure`: makes a parameter of this actuator mean an error; 0 means none.
+  /// @param kind of the error @param field on which it acts, "" for all fields @param parameter of the kind
   void addErrorAlias(const char* kind, const char* field, const char* parameter, double value) {
     errors_.addAlias(kind, field, parameter, value);
   }
 
-  /// Last chance to prepare a new instance, such as from the entity's model.
+  /// Called before a new instance is added, for example to read the entity's model.
   virtual void prepareInstance(const Space&, Instance&) {}
   /// Limits and noise: changes instance.actuation, which starts as the command with its errors.
   virtual void limit(const Space&, Instance&) {}
-  /// Passes the actuation on: to the mechanisms that it commands (state/mechanisms.hpp), to LEDs, to radio tags. Called
-  /// in each tick, and at rest when an instance is added.
+  /// Passes the actuation on to the mechanisms (state/mechanisms.hpp), LEDs or radio tags. Called in each tick, and at
+  /// rest when an instance is added.
   virtual void apply(Space&, Instance&) {}
-  /// Draws the actuator of one robot (device_drawing.hpp); nothing if an actuator has nothing to show.
+  /// Draws the actuator of one robot (device_drawing.hpp). The default draws nothing.
   virtual void drawOne(const Space&, const Instance&, DeviceDrawing&) const {}
 
   std::vector<Instance> instances_;
-  /// `limit` and `apply` write nothing but what belongs to the robot of their instance, and read nothing that those of
-  /// other robots write: then they are called at once on many threads.
+  /// True if `limit` and `apply` write only the data of the robot of their instance, and read nothing that those of
+  /// other robots write. They are then called concurrently on many threads.
   bool is_by_robot_ = false;
 
  private:
-  /// What the instance of the same index has besides, if there are errors.
+  /// Error state of the instance with the same index; present only if there are errors.
   struct Disturbed {
     Row row;
     ErrorState errors;
@@ -268,7 +268,7 @@ class ActuatorOf : public Actuator {
     }
   }
 
-  /// @param disturb called with the index of an instance whose actuation is the command
+  /// @param disturb called with the index of an instance, after its command was copied to its actuation
   template <class Disturb>
   void actuateEach(Space& space, std::vector<Row>& faulty, std::size_t first, std::size_t last, Disturb disturb) {
     for (std::size_t k = first; k < last; ++k) {
@@ -291,8 +291,8 @@ class ActuatorOf : public Actuator {
 
 }  // namespace swarmanoid
 
-/// At the end of an actuator's source. `Class` has a static function `PluginDescription describe()`; of which robot the
-/// device is, its struct says.
+/// Registers an actuator; place it at the end of the source. `Class` has a static function
+/// `PluginDescription describe()`. The robot type of the device comes from its struct.
 #define REGISTER_ACTUATOR(Class)                                                                         \
   namespace {                                                                                            \
   const ::swarmanoid::PluginRegistration<::swarmanoid::Actuator, Class> SWARMANOID_CONCATENATE(          \

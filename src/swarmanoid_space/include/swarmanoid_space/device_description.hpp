@@ -1,4 +1,4 @@
-/// Completes what sensors and actuators say of themselves by what the struct of their device says.
+/// Completes the descriptions of sensors and actuators with the data of their device structs.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace swarmanoid {
 
 /// @tparam Device the struct, or void
-/// @return the description with the robot of the device, kRobot, if the struct has one
+/// @return the description with the robot type of the device, kRobot, if the struct has one
 template <class Device>
 PluginDescription describeDevice(PluginDescription description) {
   if (std::string robot = detail::robotOf<Device>(); !robot.empty()) {

@@ -1,4 +1,4 @@
-/// What engines see, drawn for people: collision shapes, contacts, joints, forces, as lines in W.
+/// Drawings of an engine's internal state: collision shapes, contacts, joints and forces, as lines in W.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,10 +12,10 @@ namespace swarmanoid {
 class EngineDrawing {
  public:
   enum class Kind {
-    kShape,    ///< outlines of what collides
-    kContact,  ///< from the point of contact along its normal, 5 cm
-    kJoint,    ///< grips, ropes, attachments: between the bodies' origins, by way of the joint
-    kForce     ///< what drives push with: kMetresPerNewton long, from where they push
+    kShape,    ///< outlines of collision shapes
+    kContact,  ///< from the contact point along its normal, 5 cm
+    kJoint,    ///< grips, ropes, attachments: between the bodies' origins, through the joint
+    kForce     ///< forces of drives: kMetresPerNewton long, from the point where they act
   };
   static constexpr std::size_t kKinds = 4;
   static constexpr double kMetresPerNewton = 0.01;

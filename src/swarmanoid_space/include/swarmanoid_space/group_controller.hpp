@@ -1,12 +1,12 @@
 /// The base class of controllers that step all robots of one controller configuration at once, over arrays of readings
 /// and commands, instead of one robot at a time (swarmanoid_interface/controller.hpp). It is supplied from outside
-/// (supplied_parts.hpp), as the bindings to Python do; robots on hardware have no such controller.
+/// (supplied_parts.hpp), for example by the Python bindings; robots on hardware have no such controller.
 ///
 /// Threads  all functions are called on the simulation's own thread.
-/// Errors   an exception of `init` refuses the experiment; one of `start` refuses what would start the robot: the
-///          experiment, a spawn, a change of the command source. One of `step` stops the robots of this step, each with
-///          the safe stop, and only these; a failure that `step` writes down stops that robot alone. They are not
-///          stepped again.
+/// Errors   an exception of `init` rejects the experiment. An exception of `start` rejects the operation that would
+///          start the robot: the experiment, a spawn, a change of the command source. An exception of `step` stops all
+///          robots of this step with the safe stop, and no others; a failure that `step` writes stops that robot alone.
+///          Robots stopped in this way are not stepped again.
 #pragma once
 
 #include <string>
@@ -18,28 +18,29 @@
 
 namespace swarmanoid {
 
-/// A robot that is to be stepped.
+/// A robot to be stepped.
 struct GroupMember {
   Row row = kNoRow;
   Robot* robot = nullptr;          ///< for its random numbers, log and debug values; not null
-  std::string* failure = nullptr;  ///< `step` may write why this robot is to stop; empty, not null
+  std::string* failure = nullptr;  ///< reason to stop this robot, written by `step`; empty, not null
 };
 
 class GroupController {
  public:
   virtual ~GroupController() = default;
 
-  /// When the world is built, at the start and at each reset, before there are robots.
+  /// Called when the world is built, at the start and at each reset, before there are robots.
   /// @param parameters those of the configuration in the experiment file @throws ConfigError
   virtual void init(const Configuration& parameters) = 0;
 
-  /// A robot is to be stepped from now on: it has come into the world, or its commands come from its controller again,
-  /// which starts anew then. @param commands Space::commands @throws std::exception why it does not start
+  /// Called before the first step of a robot: after it was added, or after its controller became its command source
+  /// again. The controller starts anew in both cases. @param commands Space::commands @throws std::exception the reason
+  /// why it does not start
   virtual void start(const Space& /*space*/, Banks& /*commands*/, Row /*row*/, Robot& /*robot*/) {}
 
-  /// The phase `control`: reads Space::readings of the members, and writes their commands.
+  /// The phase `control`: reads Space::readings of the members and writes their commands.
   /// @param commands Space::commands
-  /// @param members by entity number: those commanded by their controller, and not failed. May be none.
+  /// @param members by entity number: robots commanded by their controller that have not failed. May be empty.
   virtual void step(const Space& space, Banks& commands, Span<const GroupMember> members) = 0;
 };
 

@@ -1,10 +1,10 @@
-/// What may be done to a world from outside its robots and its physics, as values: whoever asks (services, rules,
-/// files) asks with one of these, and all are carried out by Simulation::apply.
+/// Interventions: changes of a world from outside its robots and its physics, as values. Callers (services, rules,
+/// files) request a change with one of these types; Simulation::apply carries out all of them.
 ///
-/// Phase    between ticks; all that an intervention asks for is done, or nothing.
-/// Errors   a ConfigError says why one is refused.
-/// Records  those that changed something stand in Space::interventions, in their order, as what happened does in
-///          Space::events.
+/// Phase    between ticks; an intervention is carried out completely or not at all.
+/// Errors   a ConfigError with the reason of the refusal.
+/// Records  interventions that changed something are listed in Space::interventions, in order; what happened is listed
+///          in Space::events.
 #pragma once
 
 #include <cstdint>
@@ -23,63 +23,65 @@ namespace swarmanoid {
 /// Names of parameters, and values as they would stand in the experiment file.
 using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
-/// Adds an entity to the engines named, of which the first moves it. Refused: a bad place, an overlap, an unknown name,
-/// a controller for other robots.
+/// Adds an entity to the named engines; the first of them moves it. Refused: an invalid pose, an overlap, an unknown
+/// name, a controller for another type of robot.
 struct SpawnEntity {
   EntityDescription entity;
-  std::vector<std::string> engines;  ///< by id; none: it is there to be seen
+  std::vector<std::string> engines;  ///< by id; empty: the entity is only visible
 };
 
-/// Takes an entity out of the world. Refused: an unknown name.
+/// Removes an entity from the world. Refused: an unknown name.
 struct DeleteEntity {
   std::string entity;
 };
 
-/// Puts an entity elsewhere, at rest; what held it lets go. Refused: an unknown name, a bad place, an overlap.
+/// Moves an entity to another pose, at rest; everything that held it is released. Refused: an unknown name, an invalid
+/// pose, an overlap.
 struct MoveEntity {
   std::string entity;
   Pose pose;
 };
 
-/// Another engine moves the entity from now on, and all that is connected to it: poses, twists, grips, devices,
-/// commands and readings stay as they are. An engine that gives an entity up keeps a mirror of it if the experiment
-/// file (or whoever spawned it) lists the entity there. Nothing happens if that engine moves it already. Refused: an
-/// unknown name; one of them is fixed, misplaced, in the way of something else or beyond what the engine can simulate.
+/// Hands an entity over to another engine, with all entities connected to it: poses, twists, grips, devices, commands
+/// and readings stay as they are. The old engine keeps a mirror of the entity if the experiment file (or the spawn)
+/// lists the entity there. Nothing happens if the new engine moves the entity already. Refused: an unknown name; an
+/// entity that is fixed, misplaced, in the way of something else, or not supported by the engine.
 struct HandOverEntity {
   std::string entity;
   std::string engine;
 };
 
-/// Gives parameters of an engine new values. The engine works with them from the next tick on. What is given the value
-/// that it has changes nothing. Refused: an unknown engine or parameter, one that is not live, a bad value.
+/// Sets parameters of an engine. They act from the next tick on. A value equal to the current one changes nothing.
+/// Refused: an unknown engine or parameter, one that is not live, an invalid value.
 struct SetEngineParameters {
   std::string engine;
   NamedValues values;
 };
 
-/// Another source commands the robot from now on. A controller in this process starts anew; a robot that nobody
-/// commands stops, one that is commanded over topics until the first command comes; one whose commands come from
-/// elsewhere keeps the last ones until a participant answers; one whose battery is empty is commanded so once it holds
-/// enough. Refused: no such robot, a controller that does not start, a device that cannot travel.
+/// Changes the command source of a robot, from now on. A controller in this process starts anew. A robot without a
+/// command source stops; one that is commanded over topics stops until its first command. A robot that is commanded
+/// from another process keeps its last commands until a participant answers. A robot with an empty battery changes its
+/// source once the battery holds enough. Refused: an unknown robot, a controller that does not start, a device that
+/// cannot be transmitted.
 struct SetCommandSource {
   std::string robot;
   CommandSource source = CommandSource::kController;
 };
 
-/// The property of whatever cameras see in a colour of its own: lamps, preys.
+/// The property of entities whose own colour cameras see: lamps, preys.
 constexpr const char* kColorProperty = "color";
 
-/// Gives a property of an entity (EntityModel::properties) another value, as it would stand in the experiment file.
-/// Nothing happens if it has that value. Refused: an unknown entity or property, a bad value.
+/// Sets a property of an entity (EntityModel::properties); the value is written as in the experiment file. Nothing
+/// happens if the property has this value. Refused: an unknown entity or property, an invalid value.
 struct SetProperty {
   std::string entity;
   std::string property;
   std::string value;
 };
 
-/// Paints discs on the floor, each over those before it and over what was there (PaintLayer). Refused: an arena without
-/// <floor_paint>, a middle outside the arena, a radius or strength out of bounds, no disc, and discs with more than
-/// kMostCells cells in the squares around them. The rest of the world waits for all of them.
+/// Paints discs on the floor, each over the previous ones and over the existing paint (PaintLayer). Refused: an arena
+/// without <floor_paint>, a centre outside the arena, a radius or strength out of bounds, an empty list, and discs with
+/// more than kMostCells cells in the squares around them. The simulation waits until all discs are painted.
 struct PaintFloor {
   static constexpr Range kRadius{0.0, 10000.0};  ///< [m]
   static constexpr Range kStrength{0.001, 1.0};
@@ -91,15 +93,15 @@ struct PaintFloor {
   std::vector<PaintDisc> discs;
 };
 
-/// What is wrong with a sensor or an actuator of one robot from the next tick on, beside and after the errors of its
-/// configuration, whoever commands the robot; until the next fault of that device, which takes the place of this one,
-/// until a reset, or as long as the robot is there. Parameters that are left out have their defaults. Nothing happens
-/// if the same is wrong with it already. Refused: no robot with a controller, a device that it does not have, and what
-/// the experiment file refuses of an <error>.
+/// Replaces the faults of a sensor or an actuator of one robot from the next tick on. They act after the errors of its
+/// configuration, for any command source of the robot. They last until the next fault of that device, until a reset, or
+/// until the robot is removed. Omitted parameters have their defaults. Nothing happens if the device has the same
+/// faults already. Refused: an entity that is not a robot with a controller, a device that it does not have, and
+/// everything that the experiment file refuses of an <error>.
 struct SetFault {
   std::string robot;
   std::string device;                         ///< its type, "footbot_proximity"
-  std::vector<ErrorModelDescription> errors;  ///< in the order in which they act; none: the device is mended
+  std::vector<ErrorModelDescription> errors;  ///< in the order in which they act; empty: the device is repaired
 };
 
 using Intervention = std::variant<SpawnEntity, DeleteEntity, MoveEntity, HandOverEntity, SetEngineParameters,
@@ -108,10 +110,10 @@ using Intervention = std::variant<SpawnEntity, DeleteEntity, MoveEntity, HandOve
 /// An intervention that has been carried out.
 struct TakenIntervention {
   Intervention what;
-  std::string asked_by;    ///< "rule 'foraging' (foraging)"; "": from outside, by whoever runs the simulation
-  std::uint64_t tick = 0;  ///< the tick that was to come: 0, before the first one
-  /// Whether the rules' beforeTick of that tick had been called: the tick had begun, waited for another process, and
-  /// was given up for this intervention.
+  std::string asked_by;    ///< "rule 'foraging' (foraging)"; "": from outside, by the caller of the simulation
+  std::uint64_t tick = 0;  ///< the next tick at that time; 0: before the first one
+  /// Whether the rules' beforeTick of that tick had been called. The tick had then begun, waited for another process,
+  /// and was given up for this intervention.
   bool after_rules = false;
 };
 

@@ -1,4 +1,4 @@
-/// Where rules ask for interventions.
+/// The queue in which rules request interventions.
 #pragma once
 
 #include <atomic>
@@ -12,13 +12,13 @@
 
 namespace swarmanoid {
 
-/// The answer to a request for an intervention. It is written once, on the simulation's thread, and read from any.
+/// The answer to a request for an intervention. It is written once, on the simulation's thread, and may be read on any.
 class InterventionAnswer {
  public:
   enum class State { kPending, kDone, kRefused };
 
   State state() const { return state_.load(std::memory_order_acquire); }
-  /// The reason of the refusal; "" unless it was refused.
+  /// The reason of the refusal; "" in other states.
   std::string refusal() const { return state() == State::kRefused ? refusal_ : ""; }
 
   // For the simulation.
@@ -33,31 +33,32 @@ class InterventionAnswer {
   std::string refusal_;
 };
 
-/// An intervention that has been asked for.
+/// An intervention that has been requested.
 struct AskedIntervention {
   Intervention what;
   std::string asked_by;  ///< "rule 'foraging'"
   bool may_be_refused = false;
-  std::shared_ptr<InterventionAnswer> answer;  ///< null: no answer is wanted
+  std::shared_ptr<InterventionAnswer> answer;  ///< null: no answer wanted
 };
 
-/// Interventions that have been asked for, and are carried out in that order before the next tick.
+/// Requested interventions; they are carried out in order before the next tick.
 class InterventionQueue {
  public:
-  /// Asks for what must work: if it is refused, the run ends with the reason.
-  /// @param answer gets what came of it, once that is known; of a run that is reset before it stays pending
+  /// Requests an intervention that must succeed: a refusal ends the run with the reason.
+  /// @param answer receives the outcome; stays pending if the run is reset before
   void ask(Intervention intervention, std::shared_ptr<InterventionAnswer> answer = nullptr) {
     asked_.push_back({std::move(intervention), asking_, false, std::move(answer)});
   }
-  /// Asks for what may be refused: then an event of the next tick says why, and the run goes on. @param answer as above
+  /// Requests an intervention that may be refused: a refusal becomes an event of the next tick, and the run goes on.
+  /// @param answer as above
   void tryTo(Intervention intervention, std::shared_ptr<InterventionAnswer> answer = nullptr) {
     asked_.push_back({std::move(intervention), asking_, true, std::move(answer)});
   }
 
-  /// Who asks from now on. For whoever calls rules.
+  /// Sets the author of the following requests. For the code that calls rules.
   void setAsking(const std::string& who) { asking_ = who; }
   bool isEmpty() const { return asked_.empty(); }
-  /// All that was asked for; the queue is empty then, and keeps its memory.
+  /// Moves all requests to `asked`. The queue is empty afterwards and keeps its memory.
   void takeInto(std::vector<AskedIntervention>& asked) {
     asked.clear();
     asked.swap(asked_);

@@ -1,11 +1,11 @@
-/// The base class of observers: plugins that look at a run and draw, write, record, measure or judge it. Experiment
-/// files and the thesis (3.6) call them visualisations.
+/// The base class of observers: plugins that draw, write, record, measure or judge a run. Experiment files and the
+/// thesis (3.6) call them visualisations.
 ///
 /// Phase   draw: `show`, once before the first tick and after each tick, on the simulation's thread.
-/// An observer sees the space const and changes nothing in it, so a run with it and one without are the same.
+/// An observer has const access to the space and changes nothing in it, so it does not change the run.
 ///
-/// One that writes a text has an OutFile (out_file.hpp). Those that have a parameter `file`, or one that begins with
-/// `write_` and is true, write files: Python and batches leave them out of runs that have no folder.
+/// An observer that writes text has an OutFile (out_file.hpp). Observers with a parameter `file`, or with a true
+/// parameter that begins with `write_`, write files: Python and batches omit them in runs without a folder.
 ///
 /// To add one: derive, end with REGISTER_OBSERVER.
 #pragma once
@@ -25,23 +25,23 @@ namespace swarmanoid {
 
 class OutFolder;
 
-/// What has come of a run, when it is over.
+/// The outcome of a run.
 struct RunOutcome {
-  bool is_finished = false;  ///< it came to its end; false: it was stopped
+  bool is_finished = false;  ///< reached its end; false: was stopped
   std::optional<bool> success;
   Metrics metrics;
-  std::vector<std::string> failed_robots;  ///< whose controllers failed
+  std::vector<std::string> failed_robots;  ///< robots whose controllers failed
 };
 
-/// The run that an observer looks at.
+/// The context of an observer's run.
 struct RunContext {
-  std::shared_ptr<OutFolder> out;  ///< which files may be written, for OutFile; null: any
-  std::string asked_by;            ///< the option that asks for the observer, "--bag"; "": the experiment file
+  std::shared_ptr<OutFolder> out;  ///< decides which files may be written, for OutFile; null: any
+  std::string asked_by;            ///< the option that requests the observer, "--bag"; "": the experiment file
   bool headless = true;
-  bool is_open = true;   ///< other processes can command robots, over topics or as participants of lockstep
-  bool is_fork = false;  ///< the seed will change in the middle: a record of the run could not be made again
+  bool is_open = true;   ///< other processes can command robots, over topics or as lockstep participants
+  bool is_fork = false;  ///< the seed will change during the run: a record could not reproduce it
   const Experiment* experiment = nullptr;
-  std::function<RunOutcome()> outcome;  ///< for `finish` of observers; empty: it is not known
+  std::function<RunOutcome()> outcome;  ///< for `finish` of observers; empty: not known
 };
 
 class Observer {
@@ -51,22 +51,22 @@ class Observer {
   /// @throws ConfigError
   virtual void configure(const std::string& id, const Configuration& parameters, const RunContext& context) = 0;
 
-  /// Displays the state of the space. @throws std::exception: the run stops, results kept
+  /// Displays the state of the space. @throws std::exception: the run stops, results are kept
   virtual void draw(const Space& space) = 0;
 
-  /// Whether the run should end before maxclock (thesis 3.6, Terminate). Asked after each draw.
+  /// Whether the run should end before maxclock (thesis 3.6, Terminate). Called after each draw.
   virtual bool terminate() const { return false; }
 
   /// Whether the run was a success; only some observers judge that.
   virtual std::optional<bool> success() const { return std::nullopt; }
   virtual void addMetrics(Metrics&) const {}
 
-  /// What was written so far goes to the system, which keeps it if this process is killed. Called once a second of wall
-  /// time, and when the run is paused. @throws std::exception (a full disk): the run stops, results kept
+  /// Hands all written data to the operating system, so that it survives the end of this process. Called once a second
+  /// of wall time, and when the run is paused. @throws std::exception (a full disk): the run stops, results are kept
   virtual void flush() {}
-  /// The run is put back to its start; the next draw shows tick 0.
+  /// Called after the run was reset to its start; the next draw shows tick 0.
   virtual void reset() {}
-  /// The run is over; files are completed.
+  /// Called when the run is over; completes files.
   virtual void finish() {}
 
   const std::string& id() const { return id_; }
@@ -77,7 +77,8 @@ class Observer {
 
 }  // namespace swarmanoid
 
-/// At the end of an observer's source. `Class` has a static function `PluginDescription describe()`.
+/// Registers an observer; place it at the end of the source. `Class` has a static function
+/// `PluginDescription describe()`.
 #define REGISTER_OBSERVER(Class)                                                                \
   namespace {                                                                                   \
   const ::swarmanoid::PluginRegistration<::swarmanoid::Observer, Class> SWARMANOID_CONCATENATE( \

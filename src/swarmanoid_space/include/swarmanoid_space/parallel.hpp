@@ -1,8 +1,9 @@
-/// The threads of a simulation, for plugins that have much to do at once.
+/// The threads of a simulation, for plugins with much parallel work.
 ///
-/// Threads  may be used in the phases in which the plugin is called, from the thread that calls it. Whatever the work
-///          of a range writes, no other range may read or write.
-/// Repeats  how ranges are cut depends on the threads, and who does what on chance: results must not.
+/// Threads  may be used in the phases in which the plugin is called, from the calling thread. Data that the work of one
+///          range writes must not be read or written by any other range.
+/// Repeats  the partition into ranges depends on the number of threads, their assignment to threads on chance. Results
+///          must depend on neither.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +17,12 @@ class Parallel {
   Parallel(const Parallel&) = delete;
   Parallel& operator=(const Parallel&) = delete;
 
-  /// How many there are, that of the caller included.
+  /// Number of threads, including the caller's.
   virtual std::size_t threads() const = 0;
 
-  /// Calls work(first, last) on disjoint ranges that cover 0 .. count - 1, of half of `grain` or more; with one thread,
-  /// and for up to `grain`, once and on the caller's thread. Ranges are equal, and as a rule each thread gets those
-  /// that it had the last time, and has in its cache.
+  /// Calls work(first, last) on disjoint ranges that cover 0 .. count - 1, each of at least half of `grain`; with one
+  /// thread, or for count <= grain, once on the caller's thread. Ranges are of equal size. As a rule each thread gets
+  /// the ranges that it had the last time, which are in its cache.
   template <class Work>
   void forRanges(std::size_t count, std::size_t grain, const Work& work) const {
     if (threads() == 1 || count <= grain) {
@@ -33,7 +34,7 @@ class Parallel {
     });
   }
 
-  /// Calls work(k) for 0 .. count - 1, for few that take unequal times: a thread that is done takes another one.
+  /// Calls work(k) for k = 0 .. count - 1. For few items of unequal duration: a thread that is done takes the next one.
   template <class Work>
   void forEach(std::size_t count, const Work& work) const {
     if (threads() > 1 && count > 1) {

@@ -1,15 +1,14 @@
 /// The base classes of simulated sensors. One object serves all robots of one controller configuration: it reads the
 /// space and fills their readings, the structs of swarmanoid_interface/devices.
 ///
-/// Phases   configure, add, remove, setFaults: between ticks. prepare, then sense: the phase of this name; both see the
-///          space const.
-///          draw: in `show` or between ticks, if somebody looks.
-/// Threads  sense is called at once on disjoint ranges of instances. No allocation, lock, log or throw in it.
+/// Phases   configure, add, remove, setFaults: between ticks. prepare, then sense: the phase of this name, with const
+///          access to the space. draw: in `show` or between ticks, if a viewer is active.
+/// Threads  sense is called concurrently on disjoint ranges of instances. No allocation, lock, log or throw in it.
 /// Noise    drawn from the instance's own stream, so it does not depend on other instances.
-/// Errors   those of <error> elements act on what `sense` has filled in, which stays as it is. addErrorAlias makes a
-///          parameter of the sensor mean such an error, which draws from a stream of the same name as the instance's
-///          own: the numbers are the same, so a sensor that draws itself should have no aliases that draw. Faults of
-///          single robots (setFaults) act after these.
+/// Errors   errors of <error> elements act on a copy of the readings that `sense` has filled in. addErrorAlias makes a
+///          parameter of the sensor mean such an error. The alias draws from a stream of the same name as the
+///          instance's own stream, so both give the same numbers: a sensor that draws random numbers itself should
+///          have no aliases that draw. Faults of single robots (setFaults) act after these errors.
 ///
 /// To add a sensor: write its struct and descriptor in an interface header, derive from SensorOf<Struct>, end with
 /// REGISTER_SENSOR.
@@ -34,44 +33,44 @@ namespace swarmanoid {
 
 class Sensor {
  public:
-  using DeviceStruct = void;  ///< SensorOf knows it
+  using DeviceStruct = void;  ///< defined by SensorOf
 
   virtual ~Sensor() = default;
 
   /// @throws ConfigError
   virtual void configure(const Configuration& parameters) = 0;
 
-  /// After `configure`. @throws ConfigError if they do not suit the device
+  /// Called after `configure`. @throws ConfigError if the errors do not suit the device
   virtual void takeErrors(const std::vector<ErrorModelDescription>& errors) = 0;
 
-  /// Adds the instance of a robot. @return where its readings will be, for as long as the robot lives
+  /// Adds the instance of a robot. @return its readings, valid as long as the robot lives
   virtual const void* add(Space& space, Row row) = 0;
   virtual void remove(Space& space, Row row) = 0;
 
-  /// What is wrong with the sensor of that robot from the next tick on, instead of what setFaults said before; nothing:
-  /// it is mended. @throws ConfigError if it does not suit the device; then nothing has changed
+  /// Replaces the faults of one robot's sensor from the next tick on; an empty list repairs it. @throws ConfigError if
+  /// a fault does not suit the device; then nothing has changed
   virtual void setFaults(const Space& space, Row row, const std::vector<ErrorModelDescription>& errors) = 0;
-  /// As setFaults said; nothing for robots without such a sensor.
+  /// The faults that were set last; empty for robots without such a sensor.
   virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
-  /// Between ticks: what is drawn from now on is that of another seed.
+  /// Between ticks: later random draws use another seed.
   virtual void reseed(std::uint64_t seed) = 0;
 
   virtual std::size_t instanceCount() const = 0;
-  /// Before the ranges are sensed, on one thread: what all instances need to know of the space.
+  /// Called on one thread before the ranges are sensed; computes data that all instances share.
   virtual void prepare(const Space&) {}
-  /// Refreshes the readings of instances first .. last - 1, which are in the order of entity numbers.
+  /// Updates the readings of instances first .. last - 1, which are in the order of entity numbers.
   virtual void sense(const Space& space, std::size_t first, std::size_t last) = 0;
-  /// The same, and then what errors and faults make of the readings.
+  /// The same, followed by errors and faults.
   void update(const Space& space, std::size_t first, std::size_t last) {
     sense(space, first, last);
     if (delivers_) {
       deliver(space, first, last);
     }
   }
-  /// After all ranges are sensed, on one thread: events such as an overflow.
+  /// Called on one thread after all ranges are sensed; reports events such as an overflow.
   virtual void report(Space&) {}
 
-  /// Shows people what the sensors of those robots do that the drawing is of. Changes nothing.
+  /// Draws the sensors of the robots that the drawing is for. Changes nothing.
   virtual void draw(const Space& /*space*/, DeviceDrawing& /*drawing*/) const {}
 
   const char* type() const { return type_; }
@@ -79,7 +78,7 @@ class Sensor {
  protected:
   explicit Sensor(const char* type) : type_(type) {}
 
-  /// Copies readings to where they are read, with their errors.
+  /// Copies readings to the structs that controllers read, with their errors.
   virtual void deliver(const Space& space, std::size_t first, std::size_t last) = 0;
 
   bool delivers_ = false;  ///< there are errors, or a robot has faults
@@ -88,12 +87,13 @@ class Sensor {
   const char* type_;
 };
 
-/// What is wrong with the sensor of one robot alone.
+/// The faults of the sensor of one robot.
 template <class Device>
 struct SensorFault {
   DeviceFault errors;
-  Device* delivered = nullptr;  ///< where the readings are read
-  Device readings{};            ///< without errors, if the configuration has none: else they have a place already
+  Device* delivered = nullptr;  ///< the struct that the controller reads
+  /// Without errors, if the configuration has none; otherwise unused, since they are stored elsewhere.
+  Device readings{};
 };
 
 /// The sensor of one robot, in the bank of its type.
@@ -103,11 +103,11 @@ struct BasicSensorInstance {
   EntityNumber number = kNoEntity;
   Device* readings = nullptr;  ///< without errors
   RandomStream random;
-  std::unique_ptr<SensorFault<Device>> fault;  ///< null as long as nothing is wrong with this one alone
+  std::unique_ptr<SensorFault<Device>> fault;  ///< null while this instance has no fault of its own
 };
 
 /// A sensor whose readings are a `Device`. `Instance` may be replaced by a struct that derives from BasicSensorInstance
-/// and has more.
+/// and adds members.
 template <class Device, class Instance = BasicSensorInstance<Device>>
 class SensorOf : public Sensor {
   static_assert(kHasFields<Device>,
@@ -130,7 +130,7 @@ class SensorOf : public Sensor {
     instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
     Disturbed disturbed{row, nullptr, &delivered, {}};
     if (!errors_.isEmpty()) {
-      // the readings have a place of their own, since a sensor may go on from what it has written there
+      // the readings are stored separately, since a sensor may continue from its previous readings
       disturbed.readings = std::make_unique<Device>();
       disturbed.errors = errors_.makeState(space.seed, space.entities.name[row], mostElements());
       instance.readings = disturbed.readings.get();
@@ -199,21 +199,22 @@ class SensorOf : public Sensor {
  protected:
   SensorOf() : Sensor(Device::kType) {}
 
-  /// In `configure`: a parameter of this sensor means an error; 0 means none.
-  /// @param kind of the error @param field that it acts on, "" for all @param parameter of the kind
+  /// In `configure`: makes a parameter of this sensor mean an error; 0 means none.
+  /// @param kind of the error @param field on which it acts, "" for all fields @param parameter of the kind
   void addErrorAlias(const char* kind, const char* field, const char* parameter, double value) {
     errors_.addAlias(kind, field, parameter, value);
     chooseDelivery();
   }
-  /// The most elements that a span of the readings has; errors on spans get room for so many.
+  /// Maximum number of elements of a span of the readings; errors on spans reserve memory for so many.
   virtual std::size_t mostElements() const { return 0; }
 
-  /// Last chance to prepare a new instance, such as from the entity's model.
+  /// Called before a new instance is added, for example to read the entity's model.
   virtual void prepareInstance(const Space&, Instance&) {}
 
-  /// Draws the sensor of one robot (device_drawing.hpp); nothing if a sensor has nothing to show.
+  /// Draws the sensor of one robot (device_drawing.hpp). The default draws nothing.
   virtual void drawOne(const Space&, const Instance&, DeviceDrawing&) const {}
-  /// For drawOne: what the robot's controller reads, with errors and faults. @pre it is one of instances_
+  /// For drawOne: the readings of the robot's controller, with errors and faults.
+  /// @pre the instance is one of instances_
   const Device& delivered(const Instance& instance) const {
     if (errors_.isEmpty()) {
       return instance.fault == nullptr ? *instance.readings : *instance.fault->delivered;
@@ -241,7 +242,7 @@ class SensorOf : public Sensor {
   std::vector<Instance> instances_;
 
  private:
-  /// What the instance of the same index has besides, if there are errors.
+  /// Error state of the instance with the same index; present only if there are errors.
   struct Disturbed {
     Row row;
     std::unique_ptr<Device> readings;
@@ -251,7 +252,7 @@ class SensorOf : public Sensor {
 
   void chooseDelivery() { delivers_ = !errors_.isEmpty() || fault_count_ > 0; }
 
-  /// @return the number of instances if there is none
+  /// @return the number of instances if the row has none
   std::size_t indexOf(Row row) const {
     const auto found =
         std::find_if(instances_.begin(), instances_.end(), [&](const Instance& other) { return other.row == row; });
@@ -279,7 +280,7 @@ class SensorOf : public Sensor {
     chooseDelivery();
   }
 
-  /// The readings are again what they would be without the fault: at once, since spans among them may point into it.
+  /// Removes a fault. Updates the readings at once, since their spans may point into the fault.
   void mend(std::size_t k) {
     Instance& instance = instances_[k];
     if (instance.fault == nullptr) {
@@ -290,7 +291,7 @@ class SensorOf : public Sensor {
       *delivered = instance.fault->readings;
       instance.readings = delivered;
     } else {
-      // the errors of the last tick once more
+      // apply the errors of the last tick again
       Disturbed& disturbed = disturbed_[k];
       *delivered = *disturbed.readings;
       if (disturbed.errors.tick != ErrorState::kNoTick) {
@@ -302,7 +303,7 @@ class SensorOf : public Sensor {
     chooseDelivery();
   }
 
-  /// The robot of a fault is gone, with its readings.
+  /// Drops the fault of a robot that is deleted together with its readings.
   void forget(Row row) {
     const std::size_t k = indexOf(row);
     if (k < instances_.size() && instances_[k].fault != nullptr) {
@@ -319,8 +320,8 @@ class SensorOf : public Sensor {
 
 }  // namespace swarmanoid
 
-/// At the end of a sensor's source. `Class` has a static function `PluginDescription describe()`; of which robot the
-/// device is, its struct says.
+/// Registers a sensor; place it at the end of the source. `Class` has a static function `PluginDescription describe()`.
+/// The robot type of the device comes from its struct.
 #define REGISTER_SENSOR(Class)                                                                           \
   namespace {                                                                                            \
   const ::swarmanoid::PluginRegistration<::swarmanoid::Sensor, Class> SWARMANOID_CONCATENATE(            \

@@ -1,8 +1,8 @@
-/// The Swarmanoid Space (thesis 3.4): the state of one world, in parts. Engines, devices, controllers and
-/// observers meet only here.
+/// The Swarmanoid Space (thesis 3.4): the state of one world, in parts. Engines, devices, controllers and observers
+/// interact only through it.
 ///
 /// Frames: W, the space's own, z up; the arena spans from `corner` by `size`. The ground is at z = 0. SI units.
-/// Which phase writes a part stands beside it; all may read it in the other phases.
+/// The phase that writes a part is stated beside it; all code may read it in the other phases.
 #pragma once
 
 #include <Eigen/Core>
@@ -41,21 +41,22 @@ namespace swarmanoid {
 /// A bright spot that a laser pointer makes where its beam hits a surface or the floor.
 struct LaserSpot {
   EntityNumber owner = kNoEntity;
-  Eigen::Vector3d source = Eigen::Vector3d::Zero();    ///< where the beam leaves the pointer [m]
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< where it ends [m]
+  Eigen::Vector3d source = Eigen::Vector3d::Zero();    ///< start of the beam, at the pointer [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< end of the beam [m]
   Color color;
 };
 
-/// The controller of a robot, and what came of its control step in a tick.
+/// The controller of a robot, and the result of its control step in a tick.
 struct ControllerState {
   const ControllerDescription* description = nullptr;  ///< null: the entity has none
-  std::uint32_t starts = 0;                            ///< how often it was started, here or in another process
+  std::uint32_t starts = 0;                            ///< number of its starts, here or in another process
   StepStatus status =
-      StepStatus::kNothing;  ///< kNothing: not asked, or late; the commands are those of an earlier tick
+      StepStatus::kNothing;  ///< kNothing: not called, or late; the commands are those of an earlier tick
 };
 
-/// The engine that moves an entity is part of the state hash, by its name: two runs that differ only in it have
-/// different hashes at once, before their poses differ. Walls may be in several engines, and none moves them.
+/// Visits the name of the engine that moves an entity. It is part of the state hash, so two runs that differ only in
+/// the engine have different hashes at once, before their poses differ. Walls are skipped: they may be in several
+/// engines, and no engine moves them.
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Engine* mover);
 
 class Space {
@@ -64,15 +65,15 @@ class Space {
   Space(const Space&) = delete;
   Space& operator=(const Space&) = delete;
 
-  // The clock. `tick` counts finished ticks; `time` is that of the tick under way, epoch + tick * clocktick.
+  // The clock. `tick` counts finished ticks; `time` is that of the current tick, epoch + tick * clocktick.
   std::uint64_t tick = 0;
   std::uint64_t run = 0;  ///< counts resets
   Duration clocktick{};
   Time time = kEpoch;
-  Duration time_before_reset{};  ///< added to `time` by whoever needs a clock that never goes back (ROS)
+  Duration time_before_reset{};  ///< added to `time` for clocks that never go back (ROS)
   std::uint64_t seed = 1;
 
-  // The arena, fixed while it runs.
+  // The arena, constant during a run.
   Eigen::Vector3d corner = Eigen::Vector3d::Zero();  ///< with the least coordinates [m]
   Eigen::Vector3d size = Eigen::Vector3d::Ones();    ///< [m]
   Eigen::Vector3d farCorner() const { return corner + size; }
@@ -80,8 +81,8 @@ class Space {
   std::shared_ptr<const Terrain> terrain;  ///< null: the floor is level
   /// The lowest ground [m]: 0, or less where a terrain has holes.
   double lowestGround() const { return terrain ? std::min(0.0, terrain->bounds().min().z()) : 0.0; }
-  /// The hole of the floor above, on or below which the point lies; null if there is none. Where there is a terrain,
-  /// that is the ground, and has no holes but its own. In the header, since sensors ask for it often.
+  /// The hole of the floor above, on or below which the point lies; null if there is none. Inside a terrain the terrain
+  /// is the ground, and floor holes do not count. Inline, since sensors call it often.
   const FloorHole* holeAt(const Eigen::Vector3d& point) const {
     for (const FloorHole& hole : floor.holes) {
       if (hole.contains(point)) {
@@ -91,7 +92,7 @@ class Space {
     return nullptr;
   }
 
-  // The world. What has one value an entity is a column (state/column.hpp), and says itself who writes it.
+  // The world. Data with one value per entity are columns (state/column.hpp), which name the phase that writes them.
   Entities entities;
   /// The colours of the LEDs of the model, LED 0 first.
   ListColumn<Color> leds{entities.columns, {"led", Writer::kActuate, Visits::kHash}, [](const EntityModel& model) {
@@ -102,27 +103,27 @@ class Space {
   ListColumn<JointState> joints{entities.columns,
                                 {"joint", Writer::kMove, Visits::kHash},
                                 [](const EntityModel& model) { return model.joints.size(); }};
-  /// Follows from the commands, so it is not in the hash; readings that follow from it are in the deep hash.
+  /// Follows from the commands, so it is not in the state hash; readings derived from it are in the deep hash.
   Column<WheelTurns> wheel_turns{entities.columns, {"wheel_turns", Writer::kMove}};
   Attachments attachments{entities};
-  /// The properties of the model, in its order. In `actuate`, writers of radio tags change what these hold (kTagData);
-  /// `power` writes those of robots with a battery.
+  /// The properties of the model, in its order. Writers of radio tags change the data of tags (kTagData) in `actuate`;
+  /// `power` writes the properties of robots with a battery.
   ListColumn<double> properties{
       entities.columns,
       {"property", Writer::kBetweenTicks, Visits::kHash},
       [](const EntityModel& model) { return model.properties.size(); },
       [](const EntityModel& model, std::size_t place) { return model.properties[place].initial; }};
-  /// For sensors, once an entity: few models have properties, and those that have, have few names to compare.
+  /// A look-up by name, for sensors, once per entity: few models have properties, and these have few names to compare.
   /// @return nothing if the entity has no such property
   std::optional<double> property(Row row, std::string_view name) const;
-  /// One for each robot that has a battery, none for what has none.
+  /// One value for a robot with a battery, none for other entities.
   ListColumn<BatteryState> batteries{entities.columns,
                                      {"battery", Writer::kPower, Visits::kHash},
                                      [](const EntityModel& model) { return std::size_t{model.battery ? 1U : 0U}; }};
-  /// The colour of the entity's own surface or light as cameras see it; a lamp of kIntensity 0 is black.
+  /// The colour of the entity's own surface or light as cameras see it; black for a lamp of kIntensity 0.
   Color ownColor(Row row) const;
 
-  // What the mechanisms of robots are commanded to do; joints and holders in the order of the model.
+  // Commands of the robots' mechanisms; joints and holders in the order of the model.
   Column<WheelsCommand> wheels{entities.columns, {"wheels", Writer::kActuate}};
   Column<FlightCommand> flight{entities.columns, {"flight", Writer::kActuate}};
   ListColumn<JointCommand> joint_commands{entities.columns,
@@ -132,8 +133,7 @@ class Space {
                                             {"holder_command", Writer::kActuate},
                                             [](const EntityModel& model) { return model.holders.size(); }};
 
-  /// The tick that was to come when the entity was put where it is from outside: at the start, spawned or moved. What
-  /// compares ticks has nothing to compare that one with.
+  /// First tick after the last teleport (start, spawn, move). Readings that compare two ticks are undefined in it.
   Column<std::uint64_t> placed{entities.columns, {"placed", Writer::kBetweenTicks}};
   /// null: no engine moves the entity
   Column<Engine*> mover{entities.columns, {"engine", Writer::kConnect, Visits::kHash}};
@@ -141,16 +141,16 @@ class Space {
   Column<char> outside{entities.columns, {"outside", Writer::kIndex, Visits::kRecordings}};
   /// null: the entity has no controller
   Column<std::unique_ptr<Robot>> robots{entities.columns, {"robot", Writer::kBetweenTicks}};
-  /// control; a failure also actuate
+  /// Written in `control`; a failure also in `actuate`.
   Column<ControllerState> controllers{entities.columns, {"controller", Writer::kControl}};
 
-  PositionalIndex index;               ///< index; as of the end of the last tick
-  std::vector<LaserSpot> laser_spots;  ///< connect; by the order of actuators, then of entities
-  std::vector<Event> events;           ///< of this tick, in order of happening
-  /// Carried out since the last tick, in that order.
+  PositionalIndex index;               ///< index; the state at the end of the last tick
+  std::vector<LaserSpot> laser_spots;  ///< connect; in the order of actuators, then of entities
+  std::vector<Event> events;           ///< of this tick, in the order in which they happened
+  /// Interventions carried out since the last tick, in order.
   std::vector<TakenIntervention> interventions;
   std::vector<const Metric*> metrics;  ///< rule; of all rules, in their order
-  std::vector<Overflow> overflows;     ///< sense; of the run, by their first ticks
+  std::vector<Overflow> overflows;     ///< sense; of the run, ordered by first tick
 
   // Devices, by type (bank.hpp).
   Banks readings;   ///< sense
@@ -159,17 +159,17 @@ class Space {
 
   std::vector<Engine*> engines;  ///< all, in the order of the experiment file
 
-  /// Whether a ray of the bundle could hit anything; in doubt, yes. Its segments are not looked at. Far cheaper than
+  /// Whether a ray of the bundle could hit anything; in doubt, true. Does not read its segments. Far cheaper than
   /// casting. Thread-safe outside `move`.
   bool mayHit(const RayBundle& rays) const;
-  /// What the rays of the bundle could hit, likewise: a segment that passes by none of it hits nothing.
+  /// The obstacles that the rays of the bundle could hit; a segment that misses all of them hits nothing. Does not read
+  /// the segments either. Thread-safe outside `move`.
   Obstacles findObstacles(const RayBundle& rays) const;
-  /// Casts rays against everything: the terrain, all engines, and entities in no engine. For each segment the nearest
-  /// hit.
-  /// Thread-safe outside `move`.
+  /// Casts rays against everything: the terrain, all engines, and entities without an engine. Returns the closest hit
+  /// of each segment. Thread-safe outside `move`.
   void raycast(const RayBundle& rays, Span<RayHit> hits) const;
   /// Casts a segment against one solid that `findObstacles` has found. A hit that is nearer than `hit` replaces it.
-  /// Likewise thread-safe.
+  /// Thread-safe outside `move`.
   void castRayAt(const Obstacles::Solid& solid, const Segment& segment, RayHit& hit) const {
     if (solid.engine != nullptr) {
       solid.engine->castRayAt(solid, segment, hit);
@@ -177,26 +177,26 @@ class Space {
       entities_without_engine.castRayAt(entities, solid.row, segment, hit);
     }
   }
-  /// One ray, through up to two entities.
+  /// Casts one ray, ignoring up to two entities.
   RayHit castRay(const Segment& segment, Row ignored = kNoRow, Row also_ignored = kNoRow) const;
-  /// Whether something other than the two stands between the points (thesis 3.4, "physical occlusions").
+  /// Whether an entity other than the two, or the terrain, is between the points (thesis 3.4, "physical occlusions").
   bool isOccluded(const Segment& segment, Row from, Row to) const;
 
-  /// Kept by those who add, remove and move entities.
+  /// Maintained by the code that adds, removes and moves entities.
   EntitiesWithoutEngine entities_without_engine;
-  /// Robots with a battery, by entity number; likewise.
+  /// Robots with a battery, by entity number; maintained by the same code.
   std::vector<Row> powered;
 };
 
-/// Passes all named state to the visitor: the columns in the order of entity numbers, then what belongs to the world.
+/// Passes all named state to the visitor: the columns in the order of entity numbers, then the state of the world.
 void visitState(const Space& space, StateVisitor& visitor);
 
-/// A hash of all named state (XXH3): the clock, the columns that are hashed, laser spots.
-/// Equal hashes each tick mean equal runs; -0 counts as 0.
+/// A hash of all named state (XXH3): the clock, the hashed columns, changed colours, laser spots, paint.
+/// Equal hashes in each tick mean equal runs; -0 counts as 0.
 std::uint64_t stateHash(const Space& space);
 
-/// A hash of the state and of all readings and commands, bit for bit: it differs in the tick in which a device does,
-/// and not only once the state follows. Allocates.
+/// A hash of the state and of all readings and commands, bit for bit. It differs in the tick in which a device differs,
+/// even before the state does. Allocates.
 std::uint64_t deepHash(const Space& space);
 
 }  // namespace swarmanoid

@@ -1,7 +1,7 @@
-/// All that a simulation is assembled of beside its space: threads, engines, robots, rules, observers, and
-/// which engines hold which entities.
+/// Everything that a simulation consists of besides its space: threads, engines, robots, rules, observers, and the
+/// membership of entities in engines.
 ///
-/// Threads  as Simulation.
+/// Threads  see Simulation.
 #pragma once
 
 #include <memory>
@@ -25,8 +25,8 @@ struct Assembly {
   std::vector<std::unique_ptr<ControllerGroup>> groups;
   std::vector<RobotInstance> robots;  ///< by entity number
   Column<std::vector<Membership>> memberships;
-  std::vector<HandoverTrigger> triggers;  ///< by entity number, then as in the file
-  std::vector<RuleInstance> rules;        ///< as in the file
+  std::vector<HandoverTrigger> triggers;  ///< sorted by entity number, then in the order of the file
+  std::vector<RuleInstance> rules;        ///< in the order of the file
   std::vector<ObserverInstance> observers;
 
   Engine* findEngine(const std::string& id) const;

@@ -1,4 +1,4 @@
-/// How rules are called.
+/// Calls hooks of rules and adds the rule's name to their errors.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace swarmanoid {
 
-/// Calls a hook of a rule. @param hook, tick as UserCode has them
-/// @throws ConfigError if the rule does, std::runtime_error for anything else; both name the rule, "rule 'dock'
-/// (recharge): no power", but for a ConfigError that has a place in a file
+/// Calls a hook of a rule. @param hook, tick see UserCode
+/// @throws ConfigError if the rule throws one, std::runtime_error for any other exception. Both name the rule, "rule
+/// 'dock' (recharge): no power"; a ConfigError with a location in a file is passed on unchanged
 template <class Action>
 void callRule(const char* hook, const RuleInstance& rule, std::uint64_t tick, Action action) {
   const UserCode code{hook, rule.part, "", tick, false};

@@ -1,6 +1,7 @@
-/// Overlaps that count, where some do not: of fixed entities with each other, or of what another engine moves.
+/// Searches for overlaps, ignoring those that are allowed: fixed entities with each other, entities that another engine
+/// moves.
 ///
-/// Phase    between ticks. Threads: as Engine::overlap. Errors: what engines throw.
+/// Phase    between ticks. Threads: see Engine::overlap. Errors: exceptions of the engine.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace swarmanoid {
 
-/// The first entity that counts of those that a new one at a pose would overlap in an engine, in the engine's order;
-/// kNoRow if there is none. @param ignored is not asked about @param counts bool(Row)
+/// Returns the first entity, in the engine's order, that a new one at a pose would overlap and that `counts` accepts;
+/// kNoRow if there is none. @param ignored entities left out of the search @param counts bool(Row)
 template <class Counts>
 Row findOverlap(const Engine& engine, const EntityModel& model, const Pose& pose, std::vector<Row> ignored,
                 Counts counts) {

@@ -15,12 +15,12 @@ const ControllerGroup* groupOf(const std::vector<RobotInstance>& instances, Row 
   return instance == instances.end() ? nullptr : instance->group;
 }
 
-/// Whether the device would stand idle in the engine.
+/// Returns whether the device would stand idle in the engine.
 bool isIdle(const Engine& engine, const EntityModel& model, const DeviceUse& device) {
   return engine.mayStandIdle(model, device) && !engine.unsupportedReason(model, {device}).empty();
 }
 
-/// The roles in which the engines hold the entity from now on.
+/// Updates the roles of the entity in the engines after a handover.
 void changeMemberships(std::vector<Membership>& memberships, const Engine* former, Engine& target) {
   const auto find = [&memberships](const Engine* engine) {
     return std::find_if(memberships.begin(), memberships.end(),
@@ -125,7 +125,7 @@ std::string Handover::problemOf(Row member) const {
 }
 
 Row Handover::overlapOf(const EntityModel& posed, const Pose& pose) const {
-  // the target knows its mirrors where they were a tick ago; where they are now, those who move them know
+  // the target has the poses of its mirrors from one tick ago; the engines that move them have the present ones
   std::vector<Row> ignored = members_;
   std::copy_if(mirrors_.begin(), mirrors_.end(), std::back_inserter(ignored),
                [&](Row mirror) { return space_.mover[mirror] != nullptr; });
@@ -145,7 +145,7 @@ Row Handover::overlapOf(const EntityModel& posed, const Pose& pose) const {
   return found;
 }
 
-/// Takes the entity out of the engine that moves it, and its mirror out of the one that is to. @return the former
+/// Removes the entity from the engine that moves it, and its mirror from the target. @return the former engine
 Engine* Handover::takeOut(Row member) {
   Engine*& mover = space_.mover[member];
   for (const Membership& membership : memberships_[member]) {
@@ -165,7 +165,7 @@ void Handover::add(Row member, Engine& engine, Role role) {
 
 void Handover::commit(std::vector<Event>& events) {
   SWARMANOID_EXPECTS(problem().empty());
-  for (const Row mirror : mirrors_) {  // who joins them finds them where they are
+  for (const Row mirror : mirrors_) {  // moved members meet mirrors at their present poses
     call("place", target_, [&] { target_.place(space_, mirror); });
   }
   std::vector<Engine*> former;
@@ -183,7 +183,7 @@ void Handover::commit(std::vector<Event>& events) {
     text += idle.empty() ? "" : "; idle there: " + joinNames(idle);
     events.push_back({Event::Kind::kHandedOver, space_.entities.name[member], "", text});
   }
-  // only now, so that no engine has half a structure as mirrors and moves the other half
+  // added last, so that no engine mirrors one half of a structure while it moves the other half
   for (std::size_t k = 0; k < members_.size(); ++k) {
     for (const Membership& membership : memberships_[members_[k]]) {
       if (membership.engine == former[k]) {

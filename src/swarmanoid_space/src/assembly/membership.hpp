@@ -1,4 +1,4 @@
-/// Which engines hold an entity: as a mapping or a spawn request claims it, checked.
+/// Memberships of an entity in engines, from the checked claims of a mapping or a spawn request.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,19 @@ namespace swarmanoid {
 struct Membership {
   Engine* engine = nullptr;
   Role role = Role::kMove;
-  bool is_listed = true;  ///< by the experiment file or the spawn request; else it is there for as long as it is moved
+  bool is_listed = true;  ///< in the file or the spawn request; otherwise it lasts while the engine moves the entity
 };
 
-/// A request that an engine hold an entity.
+/// A request to add an entity to an engine.
 struct Claim {
   std::string engine;
-  std::optional<Role> role;  ///< none: the first moves it, if no other claim says that it does
+  std::optional<Role> role;  ///< none: the engine moves it if no other claim does
   SourceLocation location;
 };
 
-/// The memberships of an entity.
-/// @throws ConfigError for an engine that does not exist or stands there twice, and for two that would move the entity
+/// Returns the memberships of an entity.
+/// @throws ConfigError for an engine that does not exist or is claimed twice, and for two engines that would move the
+/// entity
 std::vector<Membership> membershipsOf(const std::string& entity, const std::vector<Claim>& claims,
                                       const std::vector<Named<Engine>>& engines);
 

@@ -1,4 +1,4 @@
-/// Plugins as a simulation holds them.
+/// Plugins of a simulation, with their descriptions for messages.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace swarmanoid {
 
-/// A plugin, and its description for messages (UserCode::part): "engine 'ground' (dynamics2d)".
+/// A plugin and its description for messages (UserCode::part): "engine 'ground' (dynamics2d)".
 template <class Plugin>
 struct Named {
   std::shared_ptr<Plugin> plugin;
@@ -23,7 +23,7 @@ struct Named {
   Plugin& operator*() const { return *plugin; }
 };
 
-/// The `part` of one of them. @pre it is among them
+/// Returns the description of a plugin. @pre `plugins` contains it
 template <class Plugin>
 const std::string& partOf(const std::vector<Named<Plugin>>& plugins, const Plugin& plugin) {
   const auto found =
@@ -32,15 +32,15 @@ const std::string& partOf(const std::vector<Named<Plugin>>& plugins, const Plugi
   return found->part;
 }
 
-/// A rule, and whether it is still to be asked.
+/// A rule and its state.
 struct RuleInstance : Named<Rule> {
-  bool is_given_up = false;  ///< a call of it does not return
+  bool is_given_up = false;  ///< a call does not return, so success() is not called
 };
 
-/// An observer of the run, and how far it has come.
+/// An observer of the run and its state.
 struct ObserverInstance : Named<Observer> {
-  bool is_finished = false;  ///< or about to be
-  bool is_given_up = false;  ///< a call of it does not return
+  bool is_finished = false;  ///< finish() was called, or is about to be
+  bool is_given_up = false;  ///< a call does not return, so finish(), success() and addMetrics() are not called
 };
 
 }  // namespace swarmanoid

@@ -1,4 +1,4 @@
-/// Measures wall time, lap after lap, if it is to.
+/// Measures wall time between laps; a disabled stopwatch does nothing.
 #pragma once
 
 #include <chrono>
@@ -7,14 +7,14 @@ namespace swarmanoid {
 
 class Stopwatch {
  public:
-  /// @param is_running else it never asks for the time, which takes tens of nanoseconds each time
+  /// @param is_running false: the stopwatch never reads the clock, which takes tens of nanoseconds each time
   explicit Stopwatch(bool is_running) : is_running_(is_running) {
     if (is_running) {
       last_ = std::chrono::steady_clock::now();
     }
   }
 
-  /// @param seconds gets the time since the last lap, or since the watch was made; 0 if it does not run
+  /// @param seconds gets the time since the last lap or the construction; 0 if the stopwatch is disabled
   void lap(double& seconds) {
     if (!is_running_) {
       seconds = 0.0;

@@ -1,5 +1,4 @@
-/// The threads of a simulation (oneTBB). With one thread everything runs on the caller's, without any library in
-/// between.
+/// Thread pool of a simulation (oneTBB). With one thread all work runs on the caller's thread, without the library.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -20,7 +19,7 @@ class Workers final : public Parallel {
  public:
   explicit Workers(int threads) {
     if (threads > 1) {
-      // without this there would be no more threads than cores, whatever was asked for
+      // by default TBB has at most one thread per core, even if more are requested
       limit_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                      static_cast<std::size_t>(threads));
       arena_ = std::make_unique<tbb::task_arena>(threads);
@@ -39,14 +38,14 @@ class Workers final : public Parallel {
     run(tbb::blocked_range<std::size_t>(0, count), work, call, tbb::simple_partitioner());
   }
 
-  /// What the caller hands over to a range, and it hands back, is also in atomic numbers: ThreadSanitizer does not see
-  /// how TBB waits. No range hands anything to another one.
+  /// Repeats TBB's synchronisation between the caller and the ranges with atomics, because ThreadSanitizer does not see
+  /// it. Ranges do not synchronise with each other.
   struct Handover {
     std::atomic<bool> has_begun{false};
     std::atomic<unsigned> ended{0};
   };
 
-  /// Isolated: a thread that waits for the end of an engine's own ranges does not begin with another engine meanwhile.
+  /// Runs the ranges isolated: a thread that waits for an engine's inner ranges does not start work of another engine.
   template <class Partitioner>
   void run(const tbb::blocked_range<std::size_t>& all, const void* work, Call call,
            const Partitioner& partitioner) const {

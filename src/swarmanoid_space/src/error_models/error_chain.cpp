@@ -7,7 +7,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Adds the numbers that have bounds, each once.
+/// Adds the numbers that have bounds, without duplicates.
 void addBounded(const std::vector<NumberPlace>& numbers, std::vector<NumberPlace>& known) {
   for (const NumberPlace& place : numbers) {
     const auto is_same = [&](const NumberPlace& other) { return other.offset == place.offset; };
@@ -53,7 +53,8 @@ void ErrorChain::add(const ErrorModelDescription& description) {
       append(*found, description.parameters,
              selectFields(device_, description.field, found->subject, description.kind, description.field_location));
   entry.from_tick = description.from_tick;
-  // an <error> keeps its numbers whatever stands before or behind it, but for one of the same kind and field
+  // an <error> keeps its random numbers when others are added before or after it, except others of the same kind and
+  // field
   const char* const origin = origin_ == ErrorOrigin::kFault ? " fault " : " error ";
   const std::string name = device_.type + origin + description.kind + " " + description.field;
   const auto is_same = [&](const Entry& other) { return other.stream.rfind(name + " #", 0) == 0; };
@@ -132,7 +133,7 @@ ErrorState ErrorChain::makeState(std::uint64_t seed, std::string_view entity, st
 
 void ErrorChain::startTick(ErrorState& state, std::uint64_t tick) const {
   if (memory_size_ > 0) {
-    // a tick that is made once more starts from what was kept after the tick before
+    // a repeated tick starts from the memory after the previous tick
     const bool is_again = tick == state.tick;
     const std::vector<double>& from = is_again ? state.memory_before : state.memory;
     std::copy(from.begin(), from.end(), (is_again ? state.memory : state.memory_before).begin());

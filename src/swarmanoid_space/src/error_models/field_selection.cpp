@@ -5,7 +5,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Whether the pattern "joints[].angle" means "joints[2].angle" or something in it.
+/// Returns whether the pattern "joints[].angle" matches "joints[2].angle" or a part of it.
 bool isMeant(const std::string& pattern, const std::string& name) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -39,7 +39,7 @@ std::vector<FieldSelection::Block> blocksOf(const std::vector<NumberPlace>& numb
   return blocks;
 }
 
-/// Walks through a device and sorts what is meant into what suits and what does not.
+/// Visits the numbers of a device and selects those that match the field and are suitable.
 class Selector {
  public:
   Selector(const DeviceType& device, const std::string& field, ErrorSubject subject)
@@ -59,8 +59,8 @@ class Selector {
   }
 
   FieldSelection selection;
-  std::vector<std::string> suitable;  // fields that could have been named
-  std::string unsuitable;             // what the first field that was named and does not suit is; "" for none
+  std::vector<std::string> suitable;  // names of suitable fields
+  std::string unsuitable;             // description of the first matching field that is not suitable; "": none
 
  private:
   void selectSpan(const DeviceNumber& span) {
@@ -71,7 +71,7 @@ class Selector {
     FieldSelection::Elements elements{span_index_, span.span.element_size, {}};
     for (const DeviceNumber& number : span.elements) {
       const bool suits = takes_numbers && number.kind == DeviceNumber::Kind::kNumber;
-      // who names the whole span does not name its elements
+      // a field that matches the whole span does not select its elements
       const bool is_of_span = !takes_numbers && isMeant(field_, span.name);
       if (!is_of_span && look(span.name + "[]." + number.name, nameOf(number), suits, number.kind, true)) {
         elements.numbers.push_back(placeOf(number, device_.fields[number.field]));
@@ -99,7 +99,7 @@ class Selector {
     return is_meant && suits;
   }
 
-  /// "value" for "value[]": the bracket at the end may be left out.
+  /// Returns "value" for "value[]": the bracket at the end may be left out.
   std::string nameOf(const DeviceNumber& number) const {
     const std::string& name = device_.fields[number.field].name;
     const bool is_array = name.size() > 2 && name.compare(name.size() - 2, 2, "[]") == 0;

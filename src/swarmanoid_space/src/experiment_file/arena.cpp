@@ -1,4 +1,4 @@
-// <arena>: what stands where.
+// <arena>: entities, floor and terrain.
 #include <algorithm>
 #include <cmath>
 
@@ -24,9 +24,9 @@ std::vector<std::string> childrenOfArena(const XmlElement& section) {
 }
 
 enum class EntityPlace {
-  kFixed,        ///< position and orientation stand there
+  kFixed,        ///< with position and orientation
   kDistributed,  ///< no position
-  kSpawned       ///< as kFixed, or with exact angles; the id may have been that of an entity which is gone
+  kSpawned       ///< as kFixed, or with exact angles; the id may be that of a deleted entity
 };
 
 void takeEntityId(const XmlElement& element, const std::string& id, EntityPlace place, Reader& reader) {
@@ -38,7 +38,8 @@ void takeEntityId(const XmlElement& element, const std::string& id, EntityPlace 
   }
 }
 
-/// <angles> in radians, instead of <orientation> in degrees: not every number of radians is one of degrees.
+/// Reads <angles> in radians, an alternative to <orientation>: not every number of radians has an exact value in
+/// degrees.
 std::optional<Eigen::Vector3d> readExactAngles(const XmlElement& element, std::vector<Parameter>& table) {
   const auto angles = element.child("angles");
   if (!angles) {
@@ -65,7 +66,7 @@ EntityDescription readEntity(const XmlElement& element, EntityPlace place, Reade
   entity.id = element.requireAttribute("id");
   takeEntityId(element, entity.id, place, reader);
 
-  if (entry.make == nullptr) {  // of a library that is not to be loaded
+  if (entry.make == nullptr) {  // its library is not loaded
     entity.parameters = element.toConfiguration();
     return entity;
   }
@@ -105,7 +106,7 @@ EntityDescription readEntity(const XmlElement& element, EntityPlace place, Reade
   return entity;
 }
 
-/// Where the arena is: its corner at the origin, or its middle at `center`. The ground is in it.
+/// Reads the place of the arena: its corner at the origin, or its middle at `center`. The ground is inside.
 void readCenter(const XmlElement& section, ArenaDescription& arena) {
   const auto center = section.attribute("center");
   if (!center) {
@@ -144,7 +145,7 @@ EntityDescription readDistributedEntity(const XmlElement& element, Reader& reade
 
 EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment& experiment) {
   Reader reader;
-  reader.experiment.framework.controller_path = experiment.framework.controller_path;  // where libraries are
+  reader.experiment.framework.controller_path = experiment.framework.controller_path;  // folders of libraries
   EntityDescription entity = readEntity(element, EntityPlace::kSpawned, reader);
   door::check(entity, experiment);
   return entity;
@@ -185,7 +186,7 @@ void readArena(const XmlElement& section, Reader& reader) {
       arena.entities.push_back(readEntity(element, EntityPlace::kFixed, reader));
     }
   }
-  // as whoever builds the space does, so that a mistake is reported before anything is built
+  // the same checks as when the space is built, so that a mistake is reported before anything is built
   for (const EntityDescription& entity : arena.entities) {
     if (reader.loads_libraries || Registry::instance().find(PluginKind::kEntity, entity.type) != nullptr) {
       door::check(entity, reader.experiment);

@@ -1,4 +1,4 @@
-// The names of command sources, in files and services.
+// Names of command sources, in files and services.
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 
 namespace swarmanoid {

@@ -1,4 +1,4 @@
-// <controllers>: which controllers there are, with their devices.
+// <controllers>: the controllers of the experiment, with their devices.
 #include <algorithm>
 #include <filesystem>
 
@@ -7,7 +7,7 @@
 namespace swarmanoid::experiment {
 namespace {
 
-/// The thesis spells its sample controller in two ways.
+/// Replaces one of the two spellings of the thesis's sample controller.
 std::string withoutAlias(const std::string& name) {
   return name == "footbot_sample_controller" ? "sample_footbot_controller" : name;
 }
@@ -22,7 +22,7 @@ std::vector<std::string> implementationsOf(PluginKind kind, const std::string& t
   return names;
 }
 
-/// The tag <error> is the framework's own.
+/// Refuses a device parameter named `error`: the tag <error> belongs to the framework.
 void refuseErrorParameter(const XmlElement& element, const PluginDescription& device) {
   for (const Parameter& parameter : device.parameters) {
     if (parameter.name == "error") {
@@ -32,7 +32,8 @@ void refuseErrorParameter(const XmlElement& element, const PluginDescription& de
   }
 }
 
-/// A device's parameter `file` names a file of the experiment, as those of the floor do: the device gets its path.
+/// Adds the file that a device's parameter `file` names to the experiment's files, as for the floor; the device gets
+/// its path.
 void takeFileOf(const XmlElement& element, Configuration& parameters, Reader& reader) {
   const auto child = element.child("file");
   if (!child || !parameters.has("file")) {
@@ -59,7 +60,7 @@ DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader&
   const Registry::Entry* entry = &reader.requirePlugin(kind, element, device.library);
   device.type = entry->description.label;
   const auto implementation = element.child("implementation");
-  const bool is_stand_in = entry->description.free_parameters;  // of a library that is not to be loaded
+  const bool is_stand_in = entry->description.free_parameters;  // its library is not loaded
   if (implementation && !is_stand_in) {
     implementation->allowAttributes({});
     const std::string name = implementation->text();
@@ -75,7 +76,7 @@ DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader&
                    "', which has no default, allowed: " + joinNames(implementationsOf(kind, device.type)));
   }
   device.implementation = entry->description.implementation;
-  element.child("realism");  // at most one: applyRealism has read it
+  element.child("realism");  // refuses a second one; applyRealism has read the first
   refuseErrorParameter(element, entry->description);
   std::vector<std::string> others = valuesOf(path);
   others.emplace_back("error");
@@ -101,7 +102,7 @@ std::vector<DeviceDescription> readDevices(PluginKind kind, const XmlElement& se
   return devices;
 }
 
-/// Completes the label and the library of a controller in C++. @throws ConfigError if there is none of that name
+/// Completes the label and the library of a C++ controller. @throws ConfigError if there is none with that name
 void findController(const XmlElement& element, ControllerDescription& controller, Reader& reader) {
   controller.label = withoutAlias(element.name());
   const Registry& registry = Registry::instance();
@@ -140,7 +141,7 @@ void readControllers(const XmlElement& section, Reader& reader) {
     const std::vector<std::string> values = valuesOf("controllers/*");
     allowed.insert(allowed.end(), values.begin(), values.end());
     element.allowChildren(allowed);
-    element.child("realism");  // at most one: applyRealism has read it
+    element.child("realism");  // refuses a second one; applyRealism has read the first
     if (const auto actuators = element.child("actuators")) {
       controller.actuators = readDevices(PluginKind::kActuator, *actuators, reader);
     }

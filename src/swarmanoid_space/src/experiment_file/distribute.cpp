@@ -1,4 +1,4 @@
-// <distribute> in <arena>: many entities of one kind, somewhere in an area.
+// <distribute> in <arena>: many entities of one kind, distributed over an area.
 #include <algorithm>
 
 #include "reader.hpp"
@@ -7,7 +7,7 @@
 namespace swarmanoid::experiment {
 namespace {
 
-/// Where the origins are.
+/// Reads the area of the entities' origins.
 void readPlaces(const XmlElement& element, const Configuration& values, Distribution& distribution) {
   using Area = Distribution::Area;
   if (distribution.area == Area::kLine) {
@@ -38,7 +38,7 @@ void readPlaces(const XmlElement& element, const Configuration& values, Distribu
   }
 }
 
-/// The entity that these are around: it is placed before them.
+/// Returns the entity at the centre of the area; it is placed first.
 std::string readAround(const XmlElement& element, const Configuration& values, const Reader& reader) {
   std::string around = values.text("around");
   if (around.empty()) {

@@ -28,7 +28,7 @@ Eigen::Vector3d Distribution::pointAt(const Eigen::Vector3d& shares) const {
     }
     case Area::kDisc:
     case Area::kRing: {
-      // areas grow with the square of the distance from the middle
+      // uniform over the area, which grows with the square of the distance from the middle
       const double inner = inner_radius * inner_radius;
       const double distance = std::sqrt(inner + shares.x() * (radius * radius - inner));
       const double angle = 2.0 * M_PI * shares.y();

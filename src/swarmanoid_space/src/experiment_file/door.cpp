@@ -37,7 +37,7 @@ const Registry::Entry& requireType(const EntityDescription& entity) {
   return *entry;
 }
 
-/// Each value once, of those that the type has, and within its bounds.
+/// Checks that each value belongs to the type, is given at most once, and is within its bounds.
 void checkValues(const EntityDescription& entity, const PluginDescription& type) {
   const std::vector<Parameter> table = experiment::entityParameters(type, false);
   std::vector<std::string> names;
@@ -69,7 +69,7 @@ void checkDevices(const SourceLocation& location, const EntityDescription& entit
   for (const DeviceDescription& device : devices) {
     const Registry::Entry* entry = Registry::instance().find(kind, device.type, device.implementation);
     if (entry == nullptr) {
-      continue;  // its library is not loaded: `swarmanoid validate --no-libraries`
+      continue;  // its library is not loaded (`swarmanoid validate --no-libraries`)
     }
     const auto& robots = entry->description.robots;
     const bool is_carried = robots.empty() || contains(robots, entity.type) || contains(model.devices, device.type);
@@ -113,9 +113,9 @@ void checkController(const EntityDescription& entity, const EntityType& type, co
   checkDevices(location, entity, model, PluginKind::kSensor, found->sensors);
 }
 
-/// What the type's author must heed: names as those of entities, each once, and a first value within the range.
+/// Checks the properties that a type declares: names as for entities, each once, and an initial value within the range.
 void checkProperties(const EntityDescription& entity, const EntityModel& model) {
-  std::set<std::string> names{"color"};  // which is that of the surface
+  std::set<std::string> names{"color"};  // reserved for the colour of the surface
   for (const EntityModel::Property& property : model.properties) {
     if (!isName(property.name) || !names.insert(property.name).second) {
       refuse(entity.location, "property of a " + entity.type, property.name,
@@ -128,7 +128,7 @@ void checkProperties(const EntityDescription& entity, const EntityModel& model) 
   }
 }
 
-/// Values that come from code do not know where they stand.
+/// Creates the model. Errors about values from code get the location of the entity.
 std::shared_ptr<const EntityModel> makeModel(const EntityType& type, const EntityDescription& entity) {
   try {
     return type.makeModel(entity.parameters);
@@ -167,7 +167,7 @@ void check(const EntityDescription& entity, const Experiment& experiment) {
   }
   const Distribution& places = *entity.distribution;
   if (!places.around.empty()) {
-    return;  // where that is, is known once it is placed
+    return;  // the area is relative to an entity that is not placed yet
   }
   const bool is_box = places.area == Distribution::Area::kBox;
   const Eigen::AlignedBox3d bounds = places.bounds();
@@ -177,7 +177,7 @@ void check(const EntityDescription& entity, const Experiment& experiment) {
 
 void checkPosition(const std::string& what, const Eigen::Vector3d& position, const EntityModel& model,
                    const ArenaDescription& arena, const SourceLocation& location) {
-  constexpr double kEdge = 1e-3;  // m: as for the event left_arena, but for the ground
+  constexpr double kEdge = 1e-3;  // m: as for the event left_arena, except at the ground
   const double lowest = arena.terrain ? std::min(0.0, arena.terrain->bounds().min().z()) : 0.0;
   const Eigen::Vector3d corner(arena.corner.x(), arena.corner.y(), lowest);
   Eigen::Vector3d least = corner.array() - kEdge;
@@ -188,7 +188,7 @@ void checkPosition(const std::string& what, const Eigen::Vector3d& position, con
   }
   const bool is_inside = (position.array() >= least.array()).all() && (position.array() <= most.array()).all();
   if (is_inside) {
-    return;  // what is no number is not
+    return;  // NaN is not inside
   }
   if (!model.is_movable) {
     refuse(location, what, textOf(position), "3 numbers, each " + limits::kCoordinate.toString());

@@ -1,5 +1,5 @@
-/// The door of the space: what an entity must be, wherever it comes from. Files, --set, services and code all come
-/// through here, so that what one of them may not do no other can. Limits are in limits.hpp.
+/// Validation of entities. Files, --set, services and code all use these functions, so the same rules hold for all of
+/// them. Limits are in limits.hpp.
 #pragma once
 
 #include <string>
@@ -10,17 +10,19 @@
 
 namespace swarmanoid::door {
 
-/// Names end up in files, topics and frames: letters, digits and _, a letter first.
+/// Returns whether the text is a valid name. Names become parts of files, topics and frames: letters, digits and _, a
+/// letter first.
 bool isName(const std::string& text);
 constexpr const char* kNamesAllowed = "letters, digits and _, a letter first";
 
-/// Checks type, values, placement and controller of an entity, or of a distribution of them.
-/// @param experiment where its arena and its controllers are described
-/// @throws ConfigError, at the place of the value if it has one
+/// Checks type, values, placement and controller of an entity, or of a distribution of entities.
+/// @param experiment describes the arena and the controllers
+/// @throws ConfigError, with the location of the value if it has one
 void check(const EntityDescription& entity, const Experiment& experiment);
 
-/// What can move must be within the arena when it comes in; what stands, such as a wall, may stand around it.
-/// @param what the position is called in messages
+/// Checks an initial position. A movable entity must start inside the arena; a fixed one, such as a wall, may be
+/// outside.
+/// @param what name of the position in messages
 /// @throws ConfigError
 void checkPosition(const std::string& what, const Eigen::Vector3d& position, const EntityModel& model,
                    const ArenaDescription& arena, const SourceLocation& location);

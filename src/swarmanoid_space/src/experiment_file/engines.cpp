@@ -1,4 +1,4 @@
-// <engines> and <arena_physics>: which engines there are, and which entity is in which.
+// <engines> and <arena_physics>: the engines of the experiment, and the assignment of entities to them.
 #include "reader.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
@@ -65,7 +65,7 @@ void readArenaPhysics(const XmlElement& section, Reader& reader) {
       }
     }
     for (const XmlElement& child : element.children()) {
-      mapping.members.push_back(readMember(child, entities));  // twice or not is seen when it comes into the space
+      mapping.members.push_back(readMember(child, entities));  // duplicates are refused when the space is built
     }
     reader.experiment.mappings.push_back(std::move(mapping));
   }

@@ -7,7 +7,7 @@
 namespace swarmanoid::experiment {
 namespace {
 
-/// Those of the kind's own parameters, which are attributes, that are given.
+/// Reads the kind's own parameters, which are attributes, as far as they are given.
 Configuration readErrorParameters(const XmlElement& element, const ErrorKind& kind) {
   Configuration parameters("error", "", element.location());
   for (const Parameter& parameter : kind.description.parameters) {
@@ -43,7 +43,7 @@ void refuseStrangeParameters(const ErrorModelDescription& error, const ErrorKind
   }
 }
 
-/// What `error` gives, and defaults. @throws ConfigError
+/// Returns the parameters of `error` with defaults for the others. @throws ConfigError
 Configuration completeParameters(const ErrorModelDescription& error, const ErrorKind& kind) {
   Configuration result("error", "", error.location);
   refuseStrangeParameters(error, kind);
@@ -95,7 +95,7 @@ void completeError(ErrorModelDescription& error) {
     throw ConfigError(error.location, unknownName("the error kind", error.kind, errorKindNames()));
   }
   if (static_cast<double>(error.from_tick) > kTickRange.maximum) {
-    parseInteger(std::to_string(error.from_tick), "from_tick", error.location, kTickRange);  // refuses it
+    parseInteger(std::to_string(error.from_tick), "from_tick", error.location, kTickRange);  // throws
   }
   error.parameters = completeParameters(error, *kind);
 }
@@ -112,7 +112,7 @@ std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const s
       takeId("error", *id, child, ids);
     }
     if (!device.empty()) {
-      DeviceErrors(device.c_str()).add({errors.back()});  // refuses what does not suit the device
+      DeviceErrors(device.c_str()).add({errors.back()});  // throws if the error does not suit the device
     }
   }
   return errors;

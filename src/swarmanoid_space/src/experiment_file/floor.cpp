@@ -1,4 +1,4 @@
-// The arena's floor: patches, holes, an image, and what may be painted.
+// The arena's floor: patches, holes, an image, and the paint layer.
 #include <stdexcept>
 
 #include "../images/read_png.hpp"
@@ -7,7 +7,7 @@
 namespace swarmanoid::experiment {
 namespace {
 
-/// @return all that the element says
+/// @return all values of the element
 Configuration readArea(const XmlElement& element, const std::vector<Parameter>& table, Reader& reader,
                        FloorArea& area) {
   element.allowAttributes(attributesOf("arena/" + element.name()));

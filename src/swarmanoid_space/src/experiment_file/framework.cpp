@@ -1,4 +1,4 @@
-// <framework>: what concerns the whole run.
+// <framework>: settings of the whole run.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -9,7 +9,7 @@
 namespace swarmanoid::experiment {
 namespace {
 
-/// "a:b", with line breaks (and the backslashes that the thesis puts before them) anywhere.
+/// Splits "a:b", with line breaks (and the backslashes that the thesis puts before them) anywhere.
 std::vector<std::string> splitPath(const std::string& text) {
   std::vector<std::string> folders{""};
   for (std::size_t i = 0; i < text.size(); ++i) {

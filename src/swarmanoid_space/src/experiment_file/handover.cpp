@@ -1,4 +1,4 @@
-// <handover> in <arena_physics>: when an entity changes the engine that moves it.
+// <handover> in <arena_physics>: the condition under which an entity changes the engine that moves it.
 #include <algorithm>
 
 #include "reader.hpp"

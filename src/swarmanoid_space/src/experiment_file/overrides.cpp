@@ -1,4 +1,4 @@
-// "path=value" from the command line, put into the document before it is read.
+// Overrides "path=value" from the command line, applied to the document before it is read.
 #include <algorithm>
 
 #include "reader.hpp"
@@ -19,7 +19,7 @@ bool hasTag(const xmlNode* element, const std::string& tag) {
 
 std::string idOf(const xmlNode* element) { return attributeOf(*element, "id").value_or(""); }
 
-/// The element's children; an entity in <distribute> is found as if it stood beside the others.
+/// Returns the element's children; entities in <distribute> are listed like their siblings outside.
 std::vector<xmlNode*> childrenOf(xmlNode* parent) {
   std::vector<xmlNode*> children;
   for (xmlNode* child : elementsOf(*parent)) {
@@ -35,7 +35,7 @@ std::vector<xmlNode*> childrenOf(xmlNode* parent) {
   return children;
 }
 
-/// The child with that id, or else the only one with that tag; null if there is none.
+/// Returns the child with that id, or else the only one with that tag; null if there is none.
 xmlNode* findChild(xmlNode* parent, const std::string& name, const Override& change) {
   xmlNode* found = nullptr;
   int count = 0;
@@ -63,7 +63,7 @@ std::vector<std::string> namesIn(xmlNode* parent) {
   return names;
 }
 
-/// Whether a value of that name belongs into an attribute, even if the file does not give it.
+/// Returns whether a value with that name is an attribute of the element, even if the file does not set it.
 bool isAttribute(const xmlNode* element, const std::string& name) {
   if (attributeOf(*element, name.c_str())) {
     return true;
@@ -98,7 +98,7 @@ bool isAttribute(const xmlNode* element, const std::string& name) {
   const bool is_plugin = parent_tag == "controllers" || parent_tag == "engines" || parent_tag == "rules" ||
                          parent_tag == "visualisations" || parent_tag == "visualizations";
   const bool is_device = parent_tag == "actuators" || parent_tag == "sensors";
-  // these are the same in all sections
+  // the same in all sections
   return (is_plugin && among(attributesOf("engines/*"))) ||
          (is_device && among(attributesOf("controllers/*/sensors/*")));
 }
@@ -115,7 +115,7 @@ std::vector<std::string> split(const std::string& path) {
   return parts;
 }
 
-/// What XML cannot hold: the library would end at a zero byte as if the text did.
+/// Returns whether XML does not allow the character. At a zero byte the library would stop as if the text ended there.
 bool isControl(unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; }
 
 bool hasControl(const std::string& text) { return std::any_of(text.begin(), text.end(), isControl); }
@@ -162,7 +162,7 @@ void apply(xmlNode* root, const Override& change, std::deque<OverrideMarks>& mar
     refuse(change, "found <" + nameOf(*target) + ">, which holds elements, allowed: the path of a value");
   }
   xmlNodeSetContent(target, nullptr);
-  xmlNodeAddContent(target, value);  // as it stands there, while xmlNodeSetContent would look for entities in it
+  xmlNodeAddContent(target, value);  // literally, while xmlNodeSetContent would look for entities in it
   marksOf(target, marks).text = change.path;
 }
 

@@ -8,7 +8,7 @@
 namespace swarmanoid::experiment {
 namespace {
 
-/// Of a disc or a rectangle on the floor. @param position what the description says of its centre
+/// Parameters of a disc or a rectangle on the floor. @param position description of its centre
 std::vector<Parameter> areaParameters(const std::string& position) {
   using Type = Parameter::Type;
   return {makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate, position),
@@ -220,7 +220,7 @@ const std::vector<Parameter>& distributeParameters() {
   static const std::vector<Parameter> table = [] {
     using Area = Distribution::Area;
     std::vector<Parameter> all = distributeParameters(Area::kBox, false);
-    for (const Area area : {Area::kRing, Area::kLine}) {  // a ring has what a disc has
+    for (const Area area : {Area::kRing, Area::kLine}) {  // a ring has all parameters of a disc
       for (const Parameter& parameter : distributeParameters(area, false)) {
         if (std::none_of(all.begin(), all.end(), [&](const auto& known) { return known.name == parameter.name; })) {
           all.push_back(parameter);
@@ -228,7 +228,7 @@ const std::vector<Parameter>& distributeParameters() {
       }
     }
     for (Parameter& parameter : all) {
-      parameter.value = parameter.value.value_or("");  // each area needs others
+      parameter.value = parameter.value.value_or("");  // not required by every area
     }
     return all;
   }();

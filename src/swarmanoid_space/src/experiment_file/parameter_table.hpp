@@ -1,4 +1,4 @@
-/// Reading the values of an element by a table of parameters, the same tables that the schema is made from.
+/// Reads the values of an element by a table of parameters. The schema is made from the same tables.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace swarmanoid::experiment {
 
-/// Reads each child element that the table knows, checks it, and fills in defaults for those that are not there.
-/// @param others child elements that are allowed too and left alone
+/// Reads and checks each child element that the table contains, and fills in the defaults of absent ones.
+/// @param others further allowed child elements; they are not read
 /// @throws ConfigError for an unknown, doubled, missing or malformed value
 Configuration readParameters(const XmlElement& element, const std::vector<Parameter>& table,
                              const std::vector<std::string>& others = {});
@@ -21,25 +21,25 @@ Configuration readParameters(const XmlElement& element, const std::vector<Parame
 /// Checks one value against its parameter. @throws ConfigError
 void checkValue(const Parameter& parameter, const std::string& text, const SourceLocation& location);
 
-/// The choice that an attribute makes; without the attribute the choice is `fallback`, if there is one.
-/// @throws ConfigError for what is none of the choices
+/// Returns the value of an attribute with fixed choices; `fallback` if the attribute is absent and there is a fallback.
+/// @throws ConfigError for any other value
 std::string readChoice(const XmlElement& element, const char* name, const std::vector<std::string>& choices,
                        const std::optional<std::string>& fallback);
 
-/// `<realism>` of devices. @param usual meant where nothing is said: that of the element around it, if it is ""
+/// `<realism>` of devices. @param usual default value; "": the preset of the enclosing element
 Parameter realismParameter(const std::string& usual = "");
 
-// The tables of the sections themselves.
+// Tables of the sections.
 const std::vector<Parameter>& frameworkParameters();
-/// Where an entity is. In <distribute> it has no position.
+/// Placement of an entity, without a position in <distribute>.
 std::vector<Parameter> placementParameters(bool is_distributed);
-/// Where an entity is put: a position and then an orientation, both of which must be there.
+/// Target pose of an entity: position, then orientation, both required.
 std::vector<Parameter> poseParameters();
-/// Of an entity: those of its type, and its placement. In <distribute> it has no position.
+/// Parameters of an entity: those of its type and its placement, without a position in <distribute>.
 std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed);
 /// Of <floor_patch>; `radius` and `size` exclude each other.
 const std::vector<Parameter>& floorPatchParameters();
-/// Of <hole>, likewise.
+/// Of <hole>; `radius` and `size` exclude each other.
 const std::vector<Parameter>& holeParameters();
 /// Of <floor_image>.
 const std::vector<Parameter>& floorImageParameters();
@@ -47,27 +47,27 @@ const std::vector<Parameter>& floorImageParameters();
 const std::vector<Parameter>& floorPaintParameters();
 /// Of <heightfield>.
 const std::vector<Parameter>& heightfieldParameters();
-/// Of <distribute>, whichever its area is; quantity, layout and area are attributes.
+/// Of <distribute>, for all areas together; quantity, layout and area are attributes.
 const std::vector<Parameter>& distributeParameters();
-/// Those of an area: the others must not be there.
+/// Parameters that <distribute> allows with one area.
 std::vector<Parameter> distributeParameters(Distribution::Area area, bool is_around);
-/// The names of areas, in the order of Distribution::Area.
+/// Names of the areas, in the order of Distribution::Area.
 const std::vector<std::string>& areas();
 /// Of <inside> and <outside> in <handover>.
 const std::vector<Parameter>& boxParameters();
 
-// What attributes may be.
+// Allowed values of attributes.
 constexpr Range kCommandTimeoutRange{0.001, 3600.0};  // s
 constexpr Range kTickRange{0.0, limits::kTicks.maximum};
 constexpr Range kQuantityRange{1.0, static_cast<double>(limits::kMostEntities)};
 const std::vector<std::string>& layouts();
 const std::vector<std::string>& optimizations();
 const std::vector<std::string>& roles();
-/// What controllers and rules are written in; the first is meant where nothing is said.
+/// Languages of controllers and rules; the first is the default.
 const std::vector<std::string>& codeLanguages();
-/// Who may command a robot.
+/// Values of `source`: the possible commanders of a robot.
 const std::vector<std::string>& commandSources();
-/// What the ends of a grip are called.
+/// Names of the two ends of a grip.
 const std::vector<std::string>& gripEnds();
 
 }  // namespace swarmanoid::experiment

@@ -1,4 +1,4 @@
-// <engines>, <rules>, <visualisations>: sections that list plugins by their ids; and what of them is in Python.
+// <engines>, <rules>, <visualisations>: sections that list plugins by their ids; and the Python files of plugins.
 #include <algorithm>
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-// From a file or a text to an Experiment.
+// Reads an Experiment from a file or a text.
 #include "reader.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::vector<std::string>& pendingWarnings() {
   return warnings;
 }
 
-/// 12 in "x_12"; 0 if the name does not end so.
+/// Returns 12 for "x_12"; 0 if the name does not have this form.
 std::size_t numberOf(const std::string& name, const std::string& prefix) {
   const char* first = name.data() + prefix.size() + 1;
   const char* end = name.data() + name.size();
@@ -95,7 +95,7 @@ const Registry::Entry& Reader::standIn(PluginKind kind, const std::string& label
   return unknown.back();
 }
 
-/// The first library's plugin would be used, silently, where the second one's is asked for.
+/// Otherwise the first library's plugin would silently be used instead of the second one's.
 void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element, const std::string& library) {
   if (library.empty()) {
     return;
@@ -104,7 +104,7 @@ void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element
   const std::string file = path.extension() == ".so" ? path.filename().string() : "lib" + library + ".so";
   for (const Registry::Conflict& conflict : Registry::instance().conflicts()) {
     const bool is_its_own = conflict.kind == entry.kind && conflict.label == entry.description.label;
-    // of two defaults the first is used, which a warning says, and all can be named
+    // of two defaults the first is used, with a warning; both can be selected by name
     if (is_its_own && !conflict.is_about_default && conflict.second_library == file && conflict.first_library != file) {
       element.refuse("found the label '" + conflict.label + "' in two libraries (" + conflict.first_library + ", " +
                      conflict.second_library + "), allowed: one in a process");
@@ -172,7 +172,7 @@ Configuration readPluginParameters(const XmlElement& element, const PluginDescri
 
 namespace {
 
-/// Sections may come in any order, but later ones refer to earlier ones: read them in an order of our own.
+/// Reads the sections in an order in which each refers only to earlier ones; in the file they may have any order.
 void readSections(const XmlElement& root, Reader& reader) {
   root.allowAttributes({});
   root.allowChildren(tagsIn(""));
@@ -209,7 +209,7 @@ void readSections(const XmlElement& root, Reader& reader) {
 }  // namespace
 }  // namespace experiment
 
-/// Reads and checks the document; what it warns of is kept for takeExperimentWarnings.
+/// Reads and checks the document; warnings are kept for takeExperimentWarnings.
 void experiment::readDocument(const XmlElement& root, Reader& reader) {
   const auto& conflicts = Registry::instance().conflicts();
   const std::size_t first_new = conflicts.size();
@@ -249,7 +249,7 @@ void readText(const std::string& text, const std::string& name, const std::vecto
 
 std::string experiment::takeFile(const std::string& name, Reader& reader) {
   const std::filesystem::path folder = std::filesystem::path(reader.experiment.file).parent_path();
-  reader.experiment.files.push_back((folder / name).string());  // an absolute name stays what it is
+  reader.experiment.files.push_back((folder / name).string());  // an absolute name stays unchanged
   return reader.experiment.files.back();
 }
 

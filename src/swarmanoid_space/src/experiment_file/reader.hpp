@@ -1,4 +1,4 @@
-/// What the readers of the sections share, and the readers themselves, one file each.
+/// Readers of the sections, one file each, and their shared state.
 #pragma once
 
 #include <deque>
@@ -15,18 +15,18 @@
 
 namespace swarmanoid::experiment {
 
-/// Ids that are taken, by kind and id, and where.
+/// Locations of the ids in use, by kind and id.
 using TakenIds = std::map<std::string, SourceLocation>;
 
-/// Takes an id. @throws ConfigError if it is no name, or is taken within its kind ("controller", "entity", "engine",
-/// ...)
+/// Registers an id. @throws ConfigError if it is not a valid name, or is in use within its kind ("controller",
+/// "entity", "engine", ...)
 void takeId(const std::string& kind, const std::string& id, const XmlElement& element, TakenIds& taken);
 
-/// The experiment under construction, and what its parts must not collide with.
+/// The experiment under construction, and the names in use.
 struct Reader {
   Experiment experiment;
   TakenIds ids;  ///< of controllers, entities, patches, engines, handovers, rules, visualisations
-  /// Ids prefix_1 to prefix_count, which are taken by entities of a distribution.
+  /// Ids prefix_1 to prefix_count, used by the entities of a distribution.
   struct Group {
     std::size_t count = 0;
     SourceLocation location;
@@ -34,37 +34,37 @@ struct Reader {
   std::map<std::string, Group> groups;  ///< by prefix
   std::vector<std::string> warnings;
   bool loads_libraries = true;
-  std::set<std::string> unloaded;       ///< libraries that were named, if it does not load them
-  std::deque<Registry::Entry> unknown;  ///< stand for what is in these
-  /// Libraries by the labels of visualisations that they have declared, once these were asked for: files are read.
+  std::set<std::string> unloaded;       ///< libraries that the file names, if the reader does not load them
+  std::deque<Registry::Entry> unknown;  ///< placeholders for the plugins of these libraries
+  /// Libraries by the visualisation labels that they declare. Filled on first use, because it needs files.
   std::optional<std::multimap<std::string, std::string>> declared_visualisations;
 
-  /// As experiment::takeId; an entity's id may not be among the numbered ones either.
+  /// As experiment::takeId. The id of an entity must not be one of the numbered ids either.
   void takeId(const std::string& kind, const std::string& id, const XmlElement& element);
-  /// Likewise the entities' ids prefix_1, prefix_2, ..., however many.
+  /// Registers the entity ids prefix_1, prefix_2, ..., for any count.
   void takeNumberedIds(const std::string& prefix, std::size_t count, const XmlElement& element);
 
-  /// The distribution among whose entities one of that id is; null if there is none so far.
+  /// Returns the distribution that contains an entity with this id; null if none has been read so far.
   const Group* groupOf(const std::string& id) const;
 
-  /// Loads the library, or notes it. @throws ConfigError
+  /// Loads the library, or only notes it if libraries are not loaded. @throws ConfigError
   void needLibrary(const std::string& library, const SourceLocation& location);
 
-  /// For a plugin that is in a library which was not loaded: reads whatever stands there.
+  /// Returns a placeholder for a plugin of a library that is not loaded; it accepts any content.
   const Registry::Entry& standIn(PluginKind kind, const std::string& label);
 
-  /// Libraries by the labels that they have declared.
+  /// Libraries by the labels that they declare.
   const std::multimap<std::string, std::string>& declaredLabels(PluginKind kind);
-  /// The library that an element of a plugin names, or that has declared its label for elements that name none; "": one
-  /// that is loaded anyway. @throws ConfigError if several have declared it
+  /// Returns the library that the element names or, if it names none, the one that declares its label; "" if the plugin
+  /// is in a library that is always loaded. @throws ConfigError if several libraries declare the label
   std::string libraryOf(PluginKind kind, const XmlElement& element);
 
-  /// The registry's entry for a tag; loads `library` first if it is not empty.
-  /// @throws ConfigError naming what there is
+  /// Returns the registry's entry for a tag; loads `library` first if it is not empty.
+  /// @throws ConfigError that lists the known plugins
   const Registry::Entry& requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library);
 };
 
-/// Names that there are, found fast however many they are.
+/// A list of known names with fast look-up.
 struct KnownNames {
   std::vector<std::string> all;
   std::set<std::string> lookup;
@@ -76,32 +76,32 @@ struct KnownNames {
   bool has(const std::string& name) const { return lookup.count(name) != 0; }
 };
 
-/// Which of two libraries with one label is meant must not depend on which was loaded first.
-/// @param library that the element asks for; "": any
-/// @throws ConfigError if it is not the one that has the plugin, for another with that label was first
+/// Refuses a label that two libraries define, because the result would depend on the order of loading.
+/// @param library requested by the element; "": any
+/// @throws ConfigError if the plugin in use comes from another library, which was loaded first
 void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element, const std::string& library);
 
-/// Of a controller or a rule: the file in Python that has it, from now on one of the experiment's files; "": it is in
-/// C++. @throws ConfigError
+/// Returns the Python file of a controller or a rule, and adds it to the experiment's files; "" for C++.
+/// @throws ConfigError
 std::string readScript(const XmlElement& element, Reader& reader);
 
 void readFramework(const XmlElement& section, Reader& reader);
 void readControllers(const XmlElement& section, Reader& reader);
-/// All <error> of a sensor or an actuator. @param device its type; "" if that is not known
+/// Reads all <error> of a sensor or an actuator. @param device its type; "" if it is not known
 std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const std::string& device);
-/// Checks an error as far as that goes without its device, whoever describes it, and fills in defaults of its kind.
+/// Checks an error from any source as far as possible without its device, and fills in the defaults of its kind.
 /// @throws ConfigError
 void completeError(ErrorModelDescription& error);
 void readArena(const XmlElement& section, Reader& reader);
 /// <distribute> in <arena>.
 void readDistribute(const XmlElement& element, Reader& reader);
-/// The tags of entities that may stand in an element. Those that name their library are known once it is loaded.
+/// Returns the entity tags that an element may contain. Tags that name a library are known only after it is loaded.
 std::vector<std::string> entityTagsIn(const XmlElement& parent);
-/// An entity in <distribute>, which has no position.
+/// Reads an entity in <distribute>, which has no position.
 EntityDescription readDistributedEntity(const XmlElement& element, Reader& reader);
-/// An entity as it stands in <arena>, for a run that is under way. Beside <orientation> in degrees it may have
-/// <angles>, the same in radians, to the last bit. Whether its id is taken is not looked at.
-/// @param experiment with the arena, and the controllers
+/// Reads an entity for a run in progress, in the form that it has in <arena>. Instead of <orientation> in degrees it
+/// may have <angles>, the exact value in radians. The function does not check whether the id is in use.
+/// @param experiment provides the arena and the controllers
 EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment& experiment);
 /// <heightfield> in <arena>, at most one.
 void readHeightfield(const XmlElement& element, Reader& reader);
@@ -111,35 +111,35 @@ void readHole(const XmlElement& element, Reader& reader);
 void readFloorImage(const XmlElement& element, Reader& reader);
 /// <floor_paint> in <arena>, at most one.
 void readFloorPaint(const XmlElement& element, Reader& reader);
-/// A file that the experiment names, from now on one of its files. @return its path: a name that is not absolute is
-/// relative to the experiment file's folder
+/// Adds a file that the experiment names to Experiment::files. @return its path; a relative name starts in the folder
+/// of the experiment file
 std::string takeFile(const std::string& name, Reader& reader);
 void readEngines(const XmlElement& section, Reader& reader);
 void readArenaPhysics(const XmlElement& section, Reader& reader);
-/// @param entities, engines the ids that there are
+/// @param entities, engines known ids
 void readHandover(const XmlElement& element, const KnownNames& entities, const KnownNames& engines, Reader& reader);
-/// Warns of each robot whose actuators have no engine that carries them out. After all sections are read.
+/// Warns of each robot whose actuators no engine executes. It is called after all sections are read.
 void warnOfUnmovedRobots(Reader& reader);
-/// All that <engines>, <rules> or <visualisations> lists.
+/// Reads all plugins that <engines>, <rules> or <visualisations> lists.
 std::vector<PluginUse> readPluginUses(const XmlElement& section, PluginKind kind, Reader& reader);
 
-/// Reads all sections. The reader's experiment has its name, file and text.
+/// Reads all sections. @pre the reader's experiment has its name, file and text
 void readDocument(const XmlElement& root, Reader& reader);
 
-/// What a plugin reads. Of one that is in a library which was not loaded, whatever stands there.
-/// @param others children that are no parameters
+/// Reads the parameters of a plugin; accepts any content if its library is not loaded.
+/// @param others child elements that are not parameters
 Configuration readPluginParameters(const XmlElement& element, const PluginDescription& plugin,
                                    const std::vector<std::string>& others = {});
 
-/// Whatever elements and attributes an element has, for code that says itself what it reads; but nothing that its
-/// reader would pass over in silence. @param others attributes that are no parameters @throws ConfigError
+/// Reads all elements and attributes of an element, for code that checks them itself. Content that such code would
+/// ignore silently is refused. @param others attributes that are not parameters @throws ConfigError
 Configuration readFreeParameters(const XmlElement& element, const std::vector<std::string>& others = {});
 
-/// The text of a file that people write. @throws ConfigError if it cannot be read, or has no end in sight
+/// Returns the text of a file. @throws ConfigError if it cannot be read, or is longer than limits::kLongestText
 std::string textOf(const std::string& file);
 
 /// Sets values in the document before it is read.
-/// @return what the document's elements point to, so it must live as long as they are read
+/// @return marks that the document's elements point to; they must live until the document is read
 /// @throws ConfigError for a path that leads nowhere, or to more than one place
 std::deque<OverrideMarks> applyOverrides(xmlDoc& document, const std::vector<Override>& overrides);
 

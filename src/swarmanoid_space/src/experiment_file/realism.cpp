@@ -1,4 +1,4 @@
-// <realism>: presets that are put into the document before it is read.
+// <realism>: inserts presets into the document before it is read.
 #include <algorithm>
 #include <new>
 #include <utility>
@@ -13,7 +13,8 @@ constexpr const char* kTag = "realism";
 constexpr const char* kImplementation = "implementation";
 constexpr const char* kError = "error";
 
-/// Devices have had parameters for noise before they had errors, which mean the same.
+/// Returns whether the file sets errors of the device, by <error> or by the older noise parameters, which are
+/// equivalent.
 bool saysErrors(const xmlNode& device) {
   const std::vector<xmlNode*> children = elementsOf(device);
   return std::any_of(children.begin(), children.end(), [](const xmlNode* child) {
@@ -21,13 +22,13 @@ bool saysErrors(const xmlNode& device) {
   });
 }
 
-/// Of an entity.
+/// Returns whether the entity has a battery.
 bool hasBattery(const xmlNode& entity) {
   const xmlNode* battery = childOf(entity, "battery");
   return battery != nullptr && trimmed(textIn(battery->children)) == "true";
 }
 
-/// The type that a tag means, which may be an alias.
+/// Returns the type of a tag, which may be an alias.
 std::string typeOf(PluginKind kind, const std::string& tag) {
   const Registry::Entry* entry = Registry::instance().find(kind, tag);
   return entry == nullptr ? tag : entry->description.label;
@@ -38,7 +39,7 @@ class Application {
   Application(const std::string& file, const PresetSource& presets, std::deque<OverrideMarks>& marks)
       : file_(file), presets_(presets), marks_(marks) {}
 
-  /// The preset that an element names, or else `outer`.
+  /// Returns the preset that an element names, or else `outer`.
   std::string nameIn(xmlNode& element, const std::string& outer) const {
     xmlNode* child = childOf(element, kTag);
     if (child == nullptr) {
@@ -70,7 +71,7 @@ class Application {
   }
 
  private:
-  /// Whether the implementation that the file wants, if it wants one, is that of the preset.
+  /// Returns whether the file sets no implementation, or that of the preset.
   bool isItsImplementation(const xmlNode& device, const xmlNode& preset) const {
     const xmlNode* wanted = childOf(device, kImplementation);
     const xmlNode* given = childOf(preset, kImplementation);
@@ -87,7 +88,7 @@ class Application {
     marks_.emplace_back();
     marks_.back().file = preset_file;
     copy->_private = &marks_.back();
-    copy->psvi = child.psvi;  // its line
+    copy->psvi = child.psvi;  // line number
     xmlAddChild(&device, copy);
   }
 

@@ -1,4 +1,4 @@
-// Files of presets: finding them and reading them.
+// Finds and reads preset files.
 #include "realism_presets.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct XmlBufferDeleter {
   void operator()(xmlBuffer* buffer) const { xmlBufferFree(buffer); }
 };
 
-/// The child elements as text, one a line.
+/// Returns the child elements as text, one per line.
 std::string contentOf(xmlNode& preset) {
   std::string text;
   for (xmlNode* child : elementsOf(preset)) {
@@ -28,7 +28,7 @@ std::string contentOf(xmlNode& preset) {
   return text;
 }
 
-/// Of what the presets of a file are.
+/// Returns the device or entity type that the presets of a file belong to.
 RealismPreset subjectOf(const XmlElement& root) {
   constexpr std::pair<const char*, PluginKind> kSubjects[] = {
       {"sensor", PluginKind::kSensor}, {"actuator", PluginKind::kActuator}, {"entity", PluginKind::kEntity}};
@@ -95,7 +95,7 @@ const PresetLibrary::Preset* PresetLibrary::find(PluginKind kind, const std::str
 }
 
 const PresetLibrary& installedPresets() {
-  static const PresetLibrary library(robotFiles().presets);  // one that throws is tried again by the next caller
+  static const PresetLibrary library(robotFiles().presets);  // after an exception the next caller tries again
   return library;
 }
 

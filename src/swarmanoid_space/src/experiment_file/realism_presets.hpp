@@ -2,7 +2,7 @@
 ///
 ///     <realism sensor="eyebot_pressure">                          or actuator="..."
 ///       <preset name="typical" source="Bosch Sensortec BMP085">   one or more
-///         <implementation>...</implementation>                    what an experiment file may say in the device:
+///         <implementation>...</implementation>                    as in the device in an experiment file:
 ///         <range>...</range>                                      an implementation, its values,
 ///         <error kind="gaussian" deviation="5"/>                  and errors
 ///       </preset>
@@ -19,7 +19,7 @@
 
 namespace swarmanoid::experiment {
 
-/// Presets in files, as trees of XML. Immutable once read, so any thread may look in it.
+/// Presets of files, as XML trees. Immutable after reading, so any thread may use it.
 class PresetLibrary {
  public:
   struct Preset {
@@ -28,7 +28,7 @@ class PresetLibrary {
   };
 
   PresetLibrary() = default;
-  /// @param files each with one <realism> @throws ConfigError for the first mistake, such as a second preset of a name
+  /// @param files each with one <realism> @throws ConfigError for the first mistake, such as two presets of one name
   explicit PresetLibrary(const std::vector<std::string>& files);
   /// Reads one more file. @throws ConfigError
   void add(const std::string& file);
@@ -43,20 +43,22 @@ class PresetLibrary {
   std::vector<Preset> presets_;
 };
 
-/// Those of this installation, read once a process. @throws ConfigError, each time, if a file of them has a mistake
+/// Presets of this installation, read once per process. @throws ConfigError, on every call, if one of the files has a
+/// mistake
 const PresetLibrary& installedPresets();
 
-/// Gives the presets when they are asked for first, so that files of them are read only where they matter.
+/// Returns the presets on demand, so that their files are read only if they are needed.
 using PresetSource = std::function<const PresetLibrary&()>;
 
-/// Puts presets into the document: each device gets what its preset has and the document does not say. `<realism>` of
-/// the device, of its controller, of <framework>, the first that is there, names the preset.
-/// @param marks get the files that elements are from; the elements point to them
+/// Inserts presets into the document: each device gets the values of its preset that the document does not set. The
+/// first `<realism>` found in the device, its controller or <framework> names the preset.
+/// @param marks get the origin files of the inserted elements, which point to them
 /// @throws ConfigError for a name that no preset has
 void applyRealism(xmlDoc& document, const std::string& file, const PresetSource& presets,
                   std::deque<OverrideMarks>& marks);
 
-/// Sets all <realism> to ideal, with a comment: for a document whose presets have been put in, and must not be again.
+/// Sets all <realism> to ideal, with a comment: for a document with inserted presets, so that they are not inserted
+/// again.
 void removeRealism(xmlDoc& document);
 
 }  // namespace swarmanoid::experiment

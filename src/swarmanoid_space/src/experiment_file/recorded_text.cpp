@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFile = "file";  // the parameter by which whatever reads a file names it
+constexpr const char* kFile = "file";  // name of parameters that name a file
 
 struct XmlBytesDeleter {
   void operator()(xmlChar* bytes) const { xmlFree(bytes); }
@@ -31,10 +31,10 @@ std::string toText(xmlDoc& document) {
   return {characters(bytes), static_cast<std::size_t>(size)};
 }
 
-/// Returns the value that stands in the place of another one; the same if it stays.
+/// Returns the replacement of a value; the value itself if it stays.
 using Exchange = std::function<std::string(const std::string& name, const std::string& value)>;
 
-/// Exchanges the values of attributes, and the texts of elements that hold nothing else.
+/// Replaces the values of attributes, and the texts of elements without child elements.
 void exchangeValues(xmlNode& element, const Exchange& exchange) {
   for (xmlAttr* attribute = element.properties; attribute != nullptr; attribute = attribute->next) {
     const std::string name = characters(attribute->name);
@@ -55,7 +55,8 @@ void exchangeValues(xmlNode& element, const Exchange& exchange) {
   }
 }
 
-/// Those of the experiment, and one that makes the folders of libraries independent of the current one.
+/// Returns the overrides of the experiment, and one that makes the folders of libraries independent of the current
+/// folder.
 std::vector<Override> overridesOf(const Experiment& experiment) {
   std::vector<Override> overrides = experiment.overrides;
   std::string folders;
@@ -68,7 +69,8 @@ std::vector<Override> overridesOf(const Experiment& experiment) {
   return overrides;
 }
 
-/// The loader takes a name with a slash, or with this ending, for a file.
+/// Returns whether the name is that of an existing file; the loader treats a name with a slash or this ending as a
+/// file.
 bool isFileOfLibrary(const std::string& library) {
   std::error_code ignored;
   const bool is_file = library.find('/') != std::string::npos || fs::path(library).extension() == ".so";

@@ -1,5 +1,5 @@
-/// The text of an experiment for records of runs: what overrides have changed is in it, and what it names outside of
-/// itself has the names that the record gives it, so that the text means the same wherever the record is read.
+/// Text of an experiment for records of runs. It contains the changes by overrides, and uses the record's names for
+/// external files, so that the text has the same meaning wherever the record is read.
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@
 
 namespace swarmanoid::experiment {
 
-/// XML. Libraries that are named by their files, and the folders of libraries, have absolute names.
-/// @param new_names of the files that the experiment was read from (Experiment::files), without the first one, which is
-/// the experiment file itself @throws ConfigError if the text does not name one of these files
+/// Returns XML. Library files and library folders have absolute names.
+/// @param new_names names of the files that the experiment was read from (Experiment::files), except the first one, the
+/// experiment file itself
+/// @throws ConfigError if the text does not name one of these files
 std::string recordedText(const Experiment& experiment, const std::vector<std::string>& new_names);
 
 }  // namespace swarmanoid::experiment

@@ -1,4 +1,4 @@
-// Which robots an experiment has, and which of them a list of names means.
+// The names of an experiment's robots, and the selection of robots by a list of names.
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 

@@ -1,7 +1,7 @@
 // The XML schema of experiment files, made from the tables that the readers use.
 //
-// Sections that name plugins let unknown tags through, since anybody's library may add one; what is known is checked,
-// wherever it stands. XML Schema finds known tags among unknown ones only if they are declared at the top.
+// Sections that name plugins let unknown tags through, since any library may add one; known tags are checked at every
+// place. XML Schema finds known tags among unknown ones only if they are declared at the top level.
 #include <algorithm>
 #include <set>
 
@@ -19,9 +19,9 @@ namespace {
 /// The entity types that the schema knows.
 struct EntityTypes {
   std::vector<const Registry::Entry*> all;
-  const PluginLibraries& libraries;  ///< in which some of them are
+  const PluginLibraries& libraries;  ///< libraries that contain some of the types
 
-  /// Those that an experiment file must name for the type: one, or none.
+  /// Returns the library that an experiment file must name for the type, if any.
   std::set<std::string> neededFor(const Registry::Entry* entry) const {
     const auto found = libraries.find(entry);
     return found == libraries.end() || found->second.empty() ? std::set<std::string>{}
@@ -170,10 +170,10 @@ void writeRoot(const EntityTypes& types, SchemaWriter& out) {
   out.close();
 }
 
-constexpr const char* kSuitesRobots = "swarmanoid_description";  // the package that brings them
-constexpr const char* kSuitesPictures = "swarmanoid_rendering";  // likewise what is loaded where it is named
+constexpr const char* kSuitesRobots = "swarmanoid_description";  // the package of the suite's robots
+constexpr const char* kSuitesPictures = "swarmanoid_rendering";  // its plugins are part of the suite's schema
 
-/// Whether it is a robot that only other packages bring.
+/// Returns whether the type is a robot that only packages outside the suite provide.
 bool isOfOthers(const Registry::Entry* type) {
   if (!makePlugin<EntityType>(*type)->isRobot()) {
     return false;

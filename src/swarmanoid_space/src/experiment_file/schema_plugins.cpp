@@ -1,4 +1,4 @@
-// The part of the schema that stands at its top: whatever plugins the registry knows.
+// The top-level declarations of the schema: the plugins of the registry.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -33,7 +33,7 @@ namespace {
 
 std::vector<const Registry::Entry*> all(PluginKind kind) { return Registry::instance().all(kind); }
 
-/// What stands in any controller, known or not.
+/// Declares the common children of all controllers.
 void writeControllerParts(SchemaWriter& out) {
   for (const char* devices : {"actuators", "sensors"}) {
     out.openElement(devices, true);
@@ -51,16 +51,17 @@ bool areValuesAlike(const Parameter& one, const Parameter& other) {
          one.choices == other.choices;
 }
 
-/// The values that one implementation or another reads. Where these differ in what they allow, only the name is sure.
+/// Returns the union of the implementations' parameters. For a parameter whose type or range differs among them only
+/// the name is checked.
 std::vector<Parameter> deviceParameters(const std::vector<const Registry::Entry*>& implementations) {
   std::vector<Parameter> table;
   for (const Registry::Entry* entry : implementations) {
     for (Parameter parameter : entry->description.parameters) {
       if (parameter.name == "implementation" || parameter.name == "realism" || parameter.name == "error") {
-        continue;  // which mean something else in a device
+        continue;  // these names have another meaning in a device
       }
       if (implementations.size() > 1) {
-        parameter.value = parameter.value.value_or("");  // not all may need it
+        parameter.value = parameter.value.value_or("");  // other implementations may not need it
       }
       const auto known = std::find_if(table.begin(), table.end(),
                                       [&](const Parameter& other) { return other.name == parameter.name; });
@@ -87,7 +88,7 @@ std::string summaryOf(const PluginDescription& plugin, const std::set<std::strin
   return summary;
 }
 
-/// What stands in a device of which all values are known.
+/// Declares the contents of a device with a fixed set of parameters.
 void writeDeviceParts(const std::vector<const Registry::Entry*>& implementations, SchemaWriter& out) {
   std::vector<std::string> choices;
   for (const Registry::Entry* entry : implementations) {
@@ -95,7 +96,7 @@ void writeDeviceParts(const std::vector<const Registry::Entry*>& implementations
     choices.push_back(entry->description.implementation);
     choices.insert(choices.end(), aliases.begin(), aliases.end());
   }
-  // <xs:all> cannot hold what stands there several times, so that values stand there once is left to the reader
+  // <xs:all> cannot hold elements that occur several times; that values occur once is checked by the reader only
   out.open("choice", {{"minOccurs", "0"}, {"maxOccurs", "unbounded"}});
   out.choiceElement("implementation", choices);
   out.parameters({realismParameter()});
@@ -114,7 +115,7 @@ void writeDevice(const std::string& tag, const std::vector<const Registry::Entry
   } else {
     writeDeviceParts(implementations, out);
   }
-  out.attributes(attributesWithLibrary("controllers/*/sensors/*", libraries));  // and actuators have the same
+  out.attributes(attributesWithLibrary("controllers/*/sensors/*", libraries));  // same as for actuators
   out.closeElement();
 }
 
@@ -139,7 +140,8 @@ void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry&
   out.closeElement();
 }
 
-/// The libraries of which an experiment file must name one. That of a controller is by default called as its tag.
+/// Returns the libraries of which an experiment file must name one. The default library of a controller has the name of
+/// its tag.
 std::set<std::string> neededLibraries(PluginKind kind, const std::string& tag,
                                       const std::vector<const Registry::Entry*>& implementations,
                                       const PluginLibraries& libraries) {
@@ -158,7 +160,7 @@ std::set<std::string> neededLibraries(PluginKind kind, const std::string& tag,
 constexpr PluginKind kKindsAtTop[] = {PluginKind::kController, PluginKind::kEngine,   PluginKind::kRule,
                                       PluginKind::kObserver,   PluginKind::kActuator, PluginKind::kSensor};
 
-/// The kinds of plugins that a tag means.
+/// Returns the kinds of the plugins with each tag.
 std::map<std::string, std::set<PluginKind>> kindsByTag() {
   std::map<std::string, std::set<PluginKind>> kinds;
   for (const PluginKind kind : kKindsAtTop) {
@@ -171,7 +173,7 @@ std::map<std::string, std::set<PluginKind>> kindsByTag() {
   return kinds;
 }
 
-/// The plugins of a kind that have the label; several are the implementations of a device, the default first.
+/// Returns the plugins of a kind with the label; several are the implementations of a device, the default first.
 std::vector<const Registry::Entry*> entriesOfLabel(PluginKind kind, const std::string& label) {
   std::vector<const Registry::Entry*> entries = all(kind);
   const auto is_other = [&](const Registry::Entry* entry) { return entry->description.label != label; };

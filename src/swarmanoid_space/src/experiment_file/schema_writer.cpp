@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kNumber = "[+\\-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
 constexpr const char* kComma = "\\s*,\\s*";
 
-/// The named type of a value; numbers with a range get a type of their own.
+/// Returns the named type of a value; numbers with a range get a type of their own.
 std::string typeOf(const Parameter& parameter) {
   switch (parameter.type) {
     case Parameter::Type::kNumber:
@@ -199,7 +199,7 @@ void SchemaWriter::anyElements(const std::string& process_contents) {
 
 std::string SchemaWriter::text() {
   close();
-  xmlTextWriterEndDocument(writer_.get());  // hands over all that was written
+  xmlTextWriterEndDocument(writer_.get());  // flushes the text
   return characters(xmlBufferContent(text_.get()));
 }
 

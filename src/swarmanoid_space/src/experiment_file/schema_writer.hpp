@@ -1,4 +1,4 @@
-/// The bricks of an XML schema (XSD 1.0): elements, attributes and types, written from tables of parameters.
+/// Writes the parts of an XML schema (XSD 1.0): elements, attributes and types, from tables of parameters.
 #pragma once
 
 #include <libxml/xmlwriter.h>
@@ -19,7 +19,7 @@ class SchemaWriter {
  public:
   using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-  /// Starts the schema, with the types that parameters need.
+  /// Starts the schema, with the types of parameters.
   SchemaWriter();
 
   /// <xs:tag ...>; the prefix is added.
@@ -29,29 +29,29 @@ class SchemaWriter {
 
   /// <xs:element name=...><xs:complexType>, to be closed with closeElement.
   void openElement(const std::string& name, bool required, const std::string& summary = "");
-  /// The same for as many as one likes.
+  /// As openElement, for an element that may occur any number of times.
   void openRepeatedElement(const std::string& name);
   void closeElement();
 
-  /// An element that holds one value.
+  /// Writes an element with one value.
   void parameter(const Parameter& parameter);
-  /// The values in any order, each once; in the <xs:all> that the caller opens.
+  /// Writes the values of a table, for any order, each at most once; the caller opens <xs:all>.
   void parameters(const std::vector<Parameter>& table);
-  /// An element with one of the texts.
+  /// Writes an element whose value is one of the choices.
   void choiceElement(const std::string& name, const std::vector<std::string>& choices);
 
   void attributes(const std::vector<ExperimentAttribute>& table);
-  /// A tag with its values and attributes, where nothing else stands in it.
+  /// Writes a tag with its values and attributes and no other children.
   void tag(const ExperimentTag& tag);
-  /// No two elements of `selector` have the same id. `kind`: unique or key; key also asks for the id.
+  /// Requires that no two elements of `selector` have the same id. `kind`: unique or key; key also requires the id.
   void identity(const std::string& kind, const std::string& name, const std::string& selector);
-  /// `field` of every element of `selector`, such as "@entity", is the id of an element of the key.
+  /// Requires that `field` of every element of `selector`, such as "@entity", is the id of an element of the key.
   void reference(const std::string& name, const std::string& key, const std::string& selector,
                  const std::string& field);
-  /// Any elements: checked if the schema knows their tags, else let through.
+  /// Allows any elements. They are checked if the schema knows their tags.
   void anyElements(const std::string& process_contents);
 
-  /// The finished schema.
+  /// Returns the finished schema.
   std::string text();
 
  private:
@@ -67,17 +67,18 @@ class SchemaWriter {
   };
 
   std::unique_ptr<xmlBuffer, Deleter> text_;
-  std::unique_ptr<xmlTextWriter, Deleter> writer_;  ///< into the text
+  std::unique_ptr<xmlTextWriter, Deleter> writer_;  ///< writes to text_
 };
 
-/// The tags that mean a plugin: its label and the aliases. A name that XML does not allow is none of them.
+/// Returns the tags of a plugin: its label and aliases, except names that XML does not allow.
 std::vector<std::string> tagsOf(const PluginDescription& plugin);
 
-/// The attributes of a plugin's tag. @param libraries one of which an experiment file must name; none: it need not
+/// Returns the attributes of a plugin's tag. @param libraries an experiment file must name one of them; empty: it need
+/// not name any
 std::vector<ExperimentAttribute> attributesWithLibrary(const std::string& path, const std::set<std::string>& libraries);
 
-/// Declares the plugins of the registry, and what stands in any controller, at the top of the schema. A tag that means
-/// plugins of several kinds is not declared, so whatever stands in it is let through.
+/// Declares the plugins of the registry, and the common children of controllers, at the top level of the schema. A tag
+/// of plugins of several kinds is not declared, so its content is not checked.
 void writePlugins(const PluginLibraries& libraries, SchemaWriter& out);
 
 }  // namespace swarmanoid::experiment

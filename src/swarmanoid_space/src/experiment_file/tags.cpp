@@ -1,4 +1,4 @@
-// The table of tags, and looking things up in it.
+// The table of tags, and look-ups in it.
 #include "tags.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ Attribute libraryAttribute() {
 
 std::vector<Attribute> pluginAttributes() { return {id("id", true, "Its name in this file."), libraryAttribute()}; }
 
-/// Of what may be in Python instead.
+/// Attributes of plugins that may also be written in Python.
 std::vector<Attribute> scriptAttributes() {
   std::vector<Attribute> attributes = pluginAttributes();
   attributes.push_back(choice("source", codeLanguages(), codeLanguages().front(), "What it is written in."));
@@ -59,7 +59,7 @@ ExperimentTag device(const std::string& section, const std::string& heading) {
            realismParameter()}};
 }
 
-/// In a device. The attributes of all kinds stand here; which of them one kind has, `readErrors` knows.
+/// <error> in a device. It has the attributes of all kinds; `readErrors` checks which of them a kind has.
 ExperimentTag errorTag() {
   std::vector<Attribute> attributes{
       choice("kind", errorKindNames(), std::nullopt, "What the error is."),
@@ -70,7 +70,7 @@ ExperimentTag errorTag() {
     for (Parameter parameter : kind->description.parameters) {
       const auto is_known = [&](const Attribute& known) { return known.value.name == parameter.name; };
       if (std::none_of(attributes.begin(), attributes.end(), is_known)) {
-        parameter.value = "";  // other kinds do not have it
+        parameter.value = "";  // not required: other kinds do not have it
         attributes.push_back({parameter});
       }
     }
@@ -259,7 +259,7 @@ std::vector<std::string> tagsIn(const std::string& path) {
 
 const std::vector<ExperimentTag>& experimentTags() {
   static std::mutex mutex;
-  static std::map<std::size_t, std::vector<ExperimentTag>> tables;  // a table that has been handed out stays
+  static std::map<std::size_t, std::vector<ExperimentTag>> tables;  // kept, because callers hold references to them
   const std::lock_guard<std::mutex> lock(mutex);
   const std::size_t kinds = errorKinds().size();
   const auto known = tables.find(kinds);

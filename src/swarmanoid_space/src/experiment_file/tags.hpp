@@ -1,4 +1,4 @@
-/// What the reader and the schema look up in the table of tags. A path is "arena/distribute"; "*" in it is any plugin.
+/// Look-ups in the table of tags, for the reader and the schema. A path is "arena/distribute"; "*" in it is any plugin.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace swarmanoid::experiment {
 
-/// @throws std::logic_error if there is none
+/// Returns the tag at a path. @throws std::logic_error if there is none
 const ExperimentTag& tagAt(const std::string& path);
-/// That of plugins that a section lists: "rules/*". @param kind controllers, engines, rules or observers
+/// Path of the plugins that a section lists: "rules/*". @param kind controllers, engines, rules or observers
 std::string pathOf(PluginKind kind);
-/// The names of its attributes.
+/// Names of the tag's attributes.
 std::vector<std::string> attributesOf(const std::string& path);
-/// The names of its values.
+/// Names of the tag's values.
 std::vector<std::string> valuesOf(const std::string& path);
-/// The names of the tags that may stand in it, plugins left out, in the order of the table.
+/// Names of the tags that a tag may contain, without plugins, in the order of the table.
 std::vector<std::string> tagsIn(const std::string& path);
 
 }  // namespace swarmanoid::experiment

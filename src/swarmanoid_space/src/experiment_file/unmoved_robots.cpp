@@ -1,4 +1,4 @@
-// Robots that have actuators of movement, and that no engine moves.
+// Finds robots that have movement actuators although no engine moves them.
 #include <algorithm>
 #include <set>
 
@@ -7,7 +7,7 @@
 namespace swarmanoid::experiment {
 namespace {
 
-/// Ids of the entities that an engine moves from the start or takes over later.
+/// Returns the ids of the entities that an engine moves from the start or takes over later.
 std::set<std::string> entitiesInEngines(const Experiment& experiment) {
   std::set<std::string> names;
   for (const MappingDescription& mapping : experiment.mappings) {
@@ -21,7 +21,7 @@ std::set<std::string> entitiesInEngines(const Experiment& experiment) {
   return names;
 }
 
-/// Those of the controller that an engine has to carry out: wheels, not LEDs.
+/// Returns the actuators of the controller that need an engine: wheels, not LEDs.
 std::vector<std::string> movingActuators(const ControllerDescription& controller) {
   std::vector<std::string> types;
   for (const DeviceDescription& device : controller.actuators) {

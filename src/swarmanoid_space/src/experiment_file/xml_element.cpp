@@ -107,7 +107,7 @@ void XmlElement::refuseDoubles() const {
       entry.refuse("found <" + entry.name() + "> beside the attribute of that name in <" + name() + ">, allowed: one");
     }
     if (!names.insert(entry.name()).second) {
-      child(entry.name().c_str());  // says which one is the second
+      child(entry.name().c_str());  // throws with the location of the second one
     }
   }
 }

@@ -1,4 +1,5 @@
-/// An element of an experiment file, read strictly: whoever reads it says what is allowed, and the rest is refused.
+/// An element of an experiment file, read strictly: the reader declares the allowed content, and anything else is
+/// refused.
 #pragma once
 
 #include <map>
@@ -12,11 +13,11 @@
 
 namespace swarmanoid::experiment {
 
-/// Where something of an element is from that the file does not say; hung on the element as its private data.
+/// Origins of an element's contents that differ from the file; attached to the element as its private data.
 struct OverrideMarks {
-  std::string file;                               ///< that the element is from, with presets; "": the document's
-  std::string text;                               ///< path of the override that set the element's text; "" for none
-  std::map<std::string, std::string> attributes;  ///< and of those that set attributes, by attribute
+  std::string file;  ///< file of the preset that the element comes from; "": the document's file
+  std::string text;  ///< path of the override that set the element's text; "" for none
+  std::map<std::string, std::string> attributes;  ///< paths of the overrides that set attributes, by attribute
 };
 
 class XmlElement {
@@ -24,17 +25,17 @@ class XmlElement {
   XmlElement(xmlNode* element, const std::string* file) : element_(element), file_(file) {}
 
   std::string name() const { return nameOf(*element_); }
-  /// Where it stands; for what an override has set, the override.
+  /// Location of the element; the override if one has set its text.
   SourceLocation location() const;
-  /// The same for one attribute.
+  /// Location of an attribute; the override if one has set it.
   SourceLocation attributeLocation(const char* name) const;
-  /// The text without surrounding white space. @throws ConfigError if there are elements in it
+  /// Text without surrounding white space. @throws ConfigError if the element has child elements
   std::string text() const;
   std::optional<std::string> attribute(const char* name) const;
   /// @throws ConfigError if it is not there
   std::string requireAttribute(const char* name) const;
   std::vector<XmlElement> children() const;
-  /// The only child of that name. @throws ConfigError if there are two
+  /// The only child with that name. @throws ConfigError if there are two
   std::optional<XmlElement> child(const char* name) const;
 
   /// @throws ConfigError for the first attribute that is not among the names
@@ -44,9 +45,9 @@ class XmlElement {
   /// @throws ConfigError for text beside the child elements
   void refuseText() const;
 
-  /// The whole element with everything in it, attributes and child elements alike, unchecked.
+  /// The whole element with all its contents, unchecked; attributes become children as well.
   Configuration toConfiguration() const;
-  /// @throws ConfigError for the first child element whose name, an attribute's or another child's, is taken
+  /// @throws ConfigError for the first child element that has the name of an attribute or of another child
   void refuseDoubles() const;
 
   [[noreturn]] void refuse(const std::string& message) const { throw ConfigError(location(), message); }

@@ -15,7 +15,7 @@ namespace {
 constexpr int kFewest = 2;
 constexpr int kMost = 4096;
 
-/// What libpng works on. It leaves its functions by longjmp, so those that call it own nothing themselves.
+/// State of libpng. It leaves its functions by longjmp, so functions that call it must not own resources.
 struct Reading {
   Reading() = default;
   Reading(const Reading&) = delete;
@@ -36,7 +36,7 @@ void takeError(png_structp png, png_const_charp message) {
 
 void ignoreWarning(png_structp, png_const_charp) {}
 
-/// @return false if it is no PNG, and then `problem` says why
+/// @return false if the file is not a PNG image; then `problem` has the reason
 bool readHeader(Reading& reading, std::FILE* file) {
   if (setjmp(png_jmpbuf(reading.png)) != 0) {
     return false;
@@ -55,7 +55,7 @@ bool readPixels(Reading& reading) {
   return true;
 }
 
-/// libpng may leave its functions here too, of a palette that is none.
+/// libpng also exits by longjmp here, such as for an invalid palette.
 bool updateInfo(Reading& reading, void (*prepare)(Reading&)) {
   if (setjmp(png_jmpbuf(reading.png)) != 0) {
     return false;
@@ -86,7 +86,7 @@ void makeRoom(Reading& reading) {
   }
 }
 
-/// What the image is that it should not be; "" if it is as it should be.
+/// Reason why the size is not supported, or an empty string.
 std::string sizeComplaint(const Reading& reading) {
   const int columns = static_cast<int>(png_get_image_width(reading.png, reading.info));
   const int rows = static_cast<int>(png_get_image_height(reading.png, reading.info));
@@ -96,7 +96,7 @@ std::string sizeComplaint(const Reading& reading) {
   return "";
 }
 
-/// The same, of one that must be grey.
+/// Reason why the image is not supported as a grey image, or an empty string.
 std::string greyComplaint(const Reading& reading) {
   const int bits = png_get_bit_depth(reading.png, reading.info);
   const int channels = png_get_color_type(reading.png, reading.info);
@@ -109,7 +109,7 @@ std::string greyComplaint(const Reading& reading) {
   return sizeComplaint(reading);
 }
 
-/// Pixels of four bytes, red, green, blue and opacity, whatever the file has.
+/// Requests pixels of four bytes, red, green, blue and opacity, for all kinds of files.
 void askForFourBytes(Reading& reading) {
   png_set_expand(reading.png);
   png_set_strip_16(reading.png);
@@ -120,12 +120,12 @@ void askForFourBytes(Reading& reading) {
 using Complaint = std::string (*)(const Reading&);
 using Preparation = void (*)(Reading&);
 
-/// @param complaint about its header @param prepare says what pixels are wanted; null: those of the file
+/// @param complaint checks the header @param prepare requests the wanted pixel format; null: that of the file
 void read(Reading& reading, const std::string& name, Complaint complaint, Preparation prepare) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(name, ignored);
   if (std::filesystem::is_other(status)) {
-    throw std::runtime_error("is a pipe or a device");  // opening a pipe would wait for whoever writes to it
+    throw std::runtime_error("is a pipe or a device");  // opening a pipe would block until a writer opens it
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
   if (file == nullptr) {

@@ -1,6 +1,6 @@
-/// Images from PNG files, of 2 to 4096 pixels along each side.
+/// Reads images from PNG files, of 2 to 4096 pixels along each side.
 ///
-/// Errors  a std::runtime_error says what the file is that it should not be, such as "is no PNG image".
+/// Errors  std::runtime_error with the reason, such as "is no PNG image".
 #pragma once
 
 #include <cstdint>
@@ -25,11 +25,11 @@ struct ColorImage {
   int columns = 0;
   int rows = 0;
   std::vector<Color> colors;    ///< row after row from the top
-  std::vector<char> is_opaque;  ///< likewise; 0: less than half opaque, so there is no colour
+  std::vector<char> is_opaque;  ///< row after row from the top; 0: less than half opaque, without a colour
 };
 
-/// Reads an image of any kind: coloured, grey, of a palette, partly transparent. Of 16 bits the upper 8 are kept; gamma
-/// and colour profiles do not count.
+/// Reads an image of any kind: coloured, grey, with a palette, partly transparent. 16-bit channels are reduced to their
+/// upper 8 bits; gamma and colour profiles are ignored.
 ColorImage readColorPng(const std::string& file);
 
 }  // namespace swarmanoid

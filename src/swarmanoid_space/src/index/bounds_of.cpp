@@ -15,7 +15,7 @@ Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose) {
     bounds.extend(centre - extent).extend(centre + extent);
   }
   if (std::any_of(model.shapes.begin(), model.shapes.end(), [](const CollisionShape& s) { return s.joint >= 0; })) {
-    // even a turret leaves the box around it
+    // even a turning turret may leave its box
     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(model.moving_reach);
     bounds.extend(pose.position - reach).extend(pose.position + reach);
   }

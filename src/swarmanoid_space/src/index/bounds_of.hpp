@@ -1,4 +1,4 @@
-/// A box around an entity.
+/// Bounding box of an entity.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,7 +7,7 @@
 
 namespace swarmanoid {
 
-/// Of an entity's shapes, in W, whatever its joints do.
+/// Returns a box in W around the shapes of an entity, valid for all positions of its joints.
 Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose);
 
 }  // namespace swarmanoid

@@ -7,7 +7,7 @@
 namespace swarmanoid {
 
 void BoxGrid::configure(const Eigen::Vector2d& corner, const Eigen::Vector2d& size) {
-  constexpr double kSmallestCell = 1.0;  // m: robots look around by less
+  constexpr double kSmallestCell = 1.0;  // m: more than the usual radius of queries by robots
   constexpr double kMostPerAxis = 256.0;
   layout_ = CellLayout(corner, size, kSmallestCell, kMostPerAxis);
   clear();
@@ -45,7 +45,7 @@ void BoxGrid::remove(std::int32_t item) {
   SWARMANOID_EXPECTS(number != kNone);
   visitCells(entries_[static_cast<std::size_t>(number)].cells,
              [&](std::vector<std::int32_t>& cell) { cell.erase(std::find(cell.begin(), cell.end(), number)); });
-  // the last one takes its place
+  // the last entry moves to the free place
   const auto last = static_cast<std::int32_t>(entries_.size()) - 1;
   if (number != last) {
     const Entry moved = entries_.back();

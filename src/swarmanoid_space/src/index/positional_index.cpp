@@ -12,11 +12,11 @@
 namespace swarmanoid {
 namespace {
 
-constexpr double kSmallestCell = 0.25;  // m: about a robot and what it senses
+constexpr double kSmallestCell = 0.25;  // m: about the size of a robot with its sensing range
 constexpr int kMostCellsPerAxis = 1024;
 constexpr double kMostCells = 1U << 20U;
 
-/// As Outline::meets, but by all of its comparisons always.
+/// As Outline::meets, but without branches: all comparisons are always evaluated.
 bool meetsSphere(const PositionalIndex::Outline& outline, const Eigen::Vector3d& centre, double radius) {
   const double reach = radius + outline.radius;
   const auto is_beside = static_cast<int>((outline.position - centre.head<2>()).squaredNorm() <= reach * reach);
@@ -32,7 +32,7 @@ void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimi
   corner_ = corner;
   size_ = size;
   optimization_ = optimization;
-  // about one entity a cell: fewer would make large ranges slow, more would make small ones slow
+  // about one entity per cell: fewer make large ranges slow, more make small ones slow
   const double volume = optimization == Optimization::k2D ? size.x() * size.y() : size.x() * size.y() * size.z();
   const double per_entity = volume / static_cast<double>(std::max<std::size_t>(expected_entities, 1));
   cell_size_ =
@@ -91,7 +91,7 @@ void PositionalIndex::refreshOnce() const {
 }
 
 void PositionalIndex::sortIn(const Entities& entities) const {
-  // counting sort by cell: count, prefix sums, place
+  // counting sort by cell: count, prefix sums, placement
   constexpr std::uint32_t kLarge = ~0U;
   large_items_.clear();
   largest_small_radius_ = 0.0;
@@ -123,7 +123,7 @@ void PositionalIndex::sortIn(const Entities& entities) const {
   }
 }
 
-/// Most large things, such as walls, stay where they are.
+/// Sorts the large entities into the grid. Most of them, such as walls, have not moved.
 void PositionalIndex::sortLargeIn() const {
   std::int32_t place = 0;
   for (; place < static_cast<std::int32_t>(large_items_.size()); ++place) {
@@ -171,11 +171,11 @@ void PositionalIndex::collectUpright(const Eigen::Vector2d& axis, double radius,
 }
 
 void PositionalIndex::collectPlaces(const Eigen::Vector3d& centre, double radius, std::vector<Place>& found) const {
-  constexpr std::size_t kMore = 64;  // so that room is made few times
+  constexpr std::size_t kMore = 64;  // so that the buffer rarely grows
   std::size_t count = found.size();
   visitPlaces(centre, Eigen::Vector3d::Constant(radius), [&](Place place) {
-    // each has its place in the list, which the next one takes if it is not near: near the border of the sphere a
-    // branch would be foretold badly
+    // every place is written; the next one overwrites it unless the outline meets the sphere. Near the border of the
+    // sphere a branch would often be mispredicted
     if (count == found.size()) {
       found.resize(count + kMore);
     }
@@ -186,7 +186,7 @@ void PositionalIndex::collectPlaces(const Eigen::Vector3d& centre, double radius
 }
 
 std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const {
-  // an origin may lie outside its entity's own bounds, by no more than the largest of them
+  // an origin may be outside its entity's bounds, by at most the largest bounding radius
   refresh();
   std::vector<Row> found;
   for (const LargeOutline& large : large_items_) {

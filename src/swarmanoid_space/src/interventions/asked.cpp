@@ -1,4 +1,4 @@
-// What all kinds of interventions share, and interventions that rules ask for.
+// Functions for all kinds of interventions, and interventions that rules request.
 #include <stdexcept>
 #include <vector>
 

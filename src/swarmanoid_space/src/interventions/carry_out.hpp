@@ -1,4 +1,5 @@
-/// Carries out interventions, a file for each kind; asked.cpp is what they share, and about those that rules ask for.
+/// Carries out interventions, one file for each kind; asked.cpp has the common functions and the interventions that
+/// rules request.
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace swarmanoid {
 
-// Each returns whether anything has changed; what has happened is added to the events of the next tick.
-// Each throws a ConfigError if it refuses, and then nothing has changed.
+// Each returns whether anything changed, and adds what happened to the events of the next tick. Each throws a
+// ConfigError if it refuses; then nothing has changed.
 bool carryOut(World& world, const SpawnEntity& intervention);
 bool carryOut(World& world, const DeleteEntity& intervention);
 bool carryOut(World& world, const MoveEntity& intervention);
@@ -20,16 +21,17 @@ bool carryOut(World& world, const SetProperty& intervention);
 bool carryOut(World& world, const PaintFloor& intervention);
 bool carryOut(World& world, const SetFault& intervention);
 
-/// A robot with a controller, whoever commands it.
-/// @throws ConfigError if there is none, naming the one that may be meant
+/// Returns a robot with a controller, for any command source.
+/// @throws ConfigError if there is none, with a suggestion of a similar name
 RobotInstance& requireRobot(World& world, const std::string& name);
 
-/// Carries out an intervention of any kind; one that changes something is recorded.
-/// @param asked_by, after_rules as TakenIntervention has them
+/// Carries out an intervention of any kind, and records it if it changes something.
+/// @param asked_by, after_rules see TakenIntervention
 /// @throws ConfigError if it is refused; then nothing has changed
 void take(World& world, const Intervention& intervention, const std::string& asked_by, bool after_rules);
 
-/// All that rules have asked for. @throws std::runtime_error that names who asked for something that is refused
+/// Carries out all requests of rules. @throws std::runtime_error that names the rule if a request is refused that may
+/// not be
 void takeAsked(World& world);
 
 }  // namespace swarmanoid

@@ -8,7 +8,7 @@
 namespace swarmanoid {
 namespace {
 
-/// As an attribute of <fault>: a device that no controller has is nobody's.
+/// Reads the attribute `device` of <fault>; refuses a device that no controller has.
 std::string requireDevice(const experiment::XmlElement& element, const Experiment& experiment) {
   std::string device = element.requireAttribute("device");
   std::vector<std::string> known;
@@ -39,7 +39,7 @@ const Parameter* findParameter(const std::string& kind, const std::string& name)
   return nullptr;
 }
 
-/// Of equal values the same text.
+/// Returns a text that is the same for equal values.
 std::string valueText(const Configuration& value, const Parameter* parameter) {
   const bool is_number = parameter != nullptr &&
                          (parameter->type == Parameter::Type::kNumber || parameter->type == Parameter::Type::kInteger ||
@@ -47,7 +47,7 @@ std::string valueText(const Configuration& value, const Parameter* parameter) {
   return is_number ? numberText(parseNumber(value.text(), value.name(), value.location())) : value.text();
 }
 
-/// "gaussian (deviation 0.02) on value from tick 300"
+/// Returns "gaussian (deviation 0.02) on value from tick 300".
 std::string describeFault(const ErrorModelDescription& error) {
   std::string values;
   for (const Configuration& value : error.parameters.children()) {

@@ -1,4 +1,4 @@
-/// How faults of a device stand in a file of interventions, and in words.
+/// The forms of device faults: in a file of interventions, and in words.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace swarmanoid {
 
-// As InterventionGrammar has them.
+// See InterventionGrammar.
 SetFault readFault(const experiment::XmlElement& element, const Experiment& experiment);
-/// Parameters that have their default are left out.
+/// Parameters with their default value are left out.
 void writeFault(const SetFault& what, ElementText& text);
 
-/// "stuck on value[3], gaussian (deviation 0.02) on value from tick 300"; "mended" without any. The same text has the
-/// same effect. @param errors complete: parameters of known kinds, with their defaults
+/// Returns "stuck on value[3], gaussian (deviation 0.02) on value from tick 300"; "mended" without any fault. Faults
+/// with the same text have the same effect. @param errors complete: parameters of known kinds, with their defaults
 std::string describeFaults(const std::vector<ErrorModelDescription>& errors);
 
 }  // namespace swarmanoid

@@ -1,4 +1,4 @@
-// Handover between engines (thesis chapter 5), asked for from outside.
+// Handover between engines (thesis chapter 5), requested from outside.
 #include "../world/engines.hpp"
 #include "carry_out.hpp"
 

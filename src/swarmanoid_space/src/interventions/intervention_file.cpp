@@ -27,7 +27,7 @@ TakenIntervention readTaken(const XmlElement& element, const InterventionGrammar
   return taken;
 }
 
-/// They are carried out in the order of the file.
+/// Refuses interventions out of order, because they are carried out in the order of the file.
 void refuseDisorder(const XmlElement& element, const TakenIntervention& before, const TakenIntervention& taken) {
   if (taken.tick < before.tick) {
     throw ConfigError(element.attributeLocation("tick"), "tick: found '" + std::to_string(taken.tick) +
@@ -56,7 +56,7 @@ std::string readSeed(const XmlElement& root) {
   return seed.value_or("");
 }
 
-/// A run that is killed does not write the end.
+/// Returns whether the text lacks only the end tag, which a killed run does not write.
 bool isOnlyTheEndMissing(const std::string& text) {
   try {
     parseXml(text + interventionsEnd(), "", XmlNamespaces::kRefused);

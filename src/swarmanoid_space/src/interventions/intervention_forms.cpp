@@ -15,7 +15,7 @@ namespace {
 
 using experiment::XmlElement;
 
-/// A kind's tag, attributes, how it is read and how it is written.
+/// Tag, attributes, reader and writer of one kind.
 template <class What>
 struct InterventionForm;
 
@@ -108,7 +108,7 @@ struct InterventionForm<SetEngineParameters> {
     SetEngineParameters result{requireEngineId(element, "engine", element.requireAttribute("engine"), experiment), {}};
     element.refuseText();
     for (const XmlElement& value : element.children()) {
-      element.child(value.name().c_str());  // refuses a second one
+      element.child(value.name().c_str());  // throws for a second one
       value.allowAttributes({});
       result.values.emplace_back(value.name(), value.text());
     }
@@ -118,7 +118,7 @@ struct InterventionForm<SetEngineParameters> {
     return result;
   }
 
-  /// Of a parameter that is set twice the last value counts, and stands there.
+  /// Writes the values; only the last one of a parameter that is set twice.
   static void write(const SetEngineParameters& what, ElementText& text) {
     text.attribute("engine", what.engine);
     for (auto value = what.values.begin(); value != what.values.end(); ++value) {

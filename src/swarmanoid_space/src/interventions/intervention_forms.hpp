@@ -1,7 +1,7 @@
-/// How each kind of intervention stands in a file.
+/// The form of each kind of intervention in a file.
 ///
-/// When you add a kind of intervention, add its InterventionForm in intervention_forms.cpp: what is missing there does
-/// not compile.
+/// When you add a kind of intervention, add its InterventionForm in intervention_forms.cpp; the code does not compile
+/// without it.
 #pragma once
 
 #include <array>
@@ -15,17 +15,17 @@
 
 namespace swarmanoid {
 
-/// One kind, for both directions.
+/// Reads and writes one kind.
 struct InterventionGrammar {
   const char* tag;
-  std::vector<std::string> attributes;  ///< beside those that all kinds have
+  std::vector<std::string> attributes;  ///< in addition to the attributes of all kinds
   /// @throws ConfigError
   Intervention (*read)(const experiment::XmlElement& element, const Experiment& experiment);
-  /// The element has begun, and what all kinds have is written.
+  /// Called after the element has been opened and the attributes of all kinds have been written.
   void (*write)(const Intervention& intervention, ElementText& text);
 };
 
-/// In the order of the variant's alternatives.
+/// Grammars in the order of the variant's alternatives.
 const std::array<InterventionGrammar, std::variant_size_v<Intervention>>& interventionGrammars();
 
 }  // namespace swarmanoid

@@ -20,7 +20,7 @@ bool carryOut(World& world, const MoveEntity& intervention) {
   entity.type = world.space.entities.model[row]->type;
   refuseBadPlace(world, entity, *posedModel(world.space.entities.model[row], world.space.joints[row]), target,
                  world.assembly.memberships[row]);
-  // what is connected would be torn apart
+  // the move would tear connections apart
   world.space.structure.isolate(row);
   world.space.attachments.isolate(row);
   world.space.entities.pose[row] = target;

@@ -1,11 +1,11 @@
-// Paint on the floor: trails that robots leave, signs that a rule gives.
+// Paint on the floor: trails of robots, signs of rules.
 #include "carry_out.hpp"
 #include "swarmanoid_interface/readable_number.hpp"
 
 namespace swarmanoid {
 namespace {
 
-/// "disc 2: "; of a single one ""
+/// Returns "disc 2: ", or "" for a single disc.
 std::string describeDisc(const PaintFloor& intervention, std::size_t disc) {
   return intervention.discs.size() == 1 ? "" : "disc " + std::to_string(disc + 1) + ": ";
 }

@@ -1,4 +1,5 @@
-// The source of a robot's commands: its controller here, a participant elsewhere, publishers on its topics, or none.
+// Changes the source of a robot's commands: its controller here, a participant elsewhere, publishers on its topics, or
+// none.
 #include "../world/entities.hpp"
 #include "../world/offers.hpp"
 #include "carry_out.hpp"

@@ -1,4 +1,4 @@
-// Parameters of engines that change while they run.
+// Changes parameters of engines during a run.
 #include "../experiment_file/parameter_table.hpp"
 #include "../world/engines.hpp"
 #include "carry_out.hpp"
@@ -10,7 +10,7 @@ const PluginDescription& descriptionOf(const EngineDescription& engine) {
   return Registry::instance().find(PluginKind::kEngine, engine.label)->description;
 }
 
-/// @throws ConfigError naming what may change, if that parameter may not
+/// @throws ConfigError naming the live parameters, if that parameter may not change
 const Parameter& requireLive(const EngineDescription& engine, const std::string& name) {
   const std::string who = engine.label + " '" + engine.id + "'";
   std::vector<std::string> live;

@@ -1,4 +1,4 @@
-// What goes wrong with a device of a robot, and that it is mended.
+// Sets and repairs faults of a robot's device.
 #include <utility>
 
 #include "../experiment_file/reader.hpp"
@@ -36,7 +36,7 @@ std::vector<ErrorModelDescription> completed(std::vector<ErrorModelDescription> 
   return errors;
 }
 
-/// @return whether that is something else than before @throws ConfigError if they do not suit the device
+/// @return whether the faults differ from the present ones @throws ConfigError if they do not suit the device
 template <class Device>
 bool change(World& world, Device& device, Row row, const SetFault& intervention) {
   const std::vector<ErrorModelDescription> errors = completed(intervention.errors);

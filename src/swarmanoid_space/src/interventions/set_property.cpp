@@ -1,10 +1,10 @@
-// Properties of arena objects: lamps that switch, stations that run empty, preys that change their colour.
+// Changes properties of arena objects: the light of lamps, the content of stations, the colour of preys.
 #include "carry_out.hpp"
 
 namespace swarmanoid {
 namespace {
 
-/// "light 'lamp'"
+/// Returns "light 'lamp'".
 std::string describeEntity(const Entities& entities, Row row) {
   return entities.model[row]->type + " '" + entities.name[row] + "'";
 }

@@ -26,7 +26,7 @@ namespace {
 
 std::string vectorText(const Eigen::Vector3d& v) { return numbersText(std::array<double, 3>{v.x(), v.y(), v.z()}); }
 
-/// The text that is read as so many nanoseconds: what reads it cuts off.
+/// Returns a text in seconds that is read back as the same number of nanoseconds; the reader truncates.
 std::string secondsText(Duration duration) {
   using Seconds = std::chrono::duration<double>;
   double seconds = Seconds(duration).count();
@@ -36,7 +36,7 @@ std::string secondsText(Duration duration) {
   return numberText(seconds);
 }
 
-/// As the reader of entities finds it.
+/// Returns the colour that the reader of entities derives from the parameters.
 Color colorInParameters(const EntityDescription& entity) {
   if (entity.parameters.has("color")) {
     return entity.parameters.color("color");
@@ -87,7 +87,7 @@ void writeSpawn(const SpawnEntity& what, ElementText& text) {
   text.value("position", vectorText(entity.position));
   text.value("angles", vectorText(entity.angles));
   for (const Configuration& value : entity.parameters.children()) {
-    if (value.name() != "position" && value.name() != "orientation") {  // that it may have from a file
+    if (value.name() != "position" && value.name() != "orientation") {  // possible for entities of files
       text.value(value.name(), value.text());
     }
   }

@@ -1,4 +1,4 @@
-/// How an entity that is spawned stands in a file of interventions, and what the forms of the other kinds need too.
+/// The form of a spawned entity in a file of interventions, and functions shared with the forms of the other kinds.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace swarmanoid {
 
-/// Separated by commas, each with as many digits as it needs.
+/// Returns the numbers separated by commas, each with the shortest text that is read as the same number.
 template <class Numbers>
 std::string numbersText(const Numbers& numbers) {
   std::string text;
@@ -23,7 +23,7 @@ std::string numbersText(const Numbers& numbers) {
 std::string requireEngineId(const experiment::XmlElement& element, const char* attribute, const std::string& id,
                             const Experiment& experiment);
 
-// As InterventionGrammar has them.
+// See InterventionGrammar.
 SpawnEntity readSpawn(const experiment::XmlElement& element, const Experiment& experiment);
 void writeSpawn(const SpawnEntity& what, ElementText& text);
 

@@ -6,7 +6,7 @@
 namespace swarmanoid {
 namespace {
 
-/// What was given, as it was given, and defaults for the rest.
+/// Returns the given values unchanged, and defaults for the others.
 Configuration valuesOf(const AskedEntity& asked, const std::vector<Parameter>& table, const SourceLocation& location) {
   Configuration result(asked.type, "", location);
   for (const auto& [name, value] : asked.values) {
@@ -34,7 +34,7 @@ EntityDescription describeEntity(const AskedEntity& asked) {
   entity.id = asked.name;
   entity.controller = asked.controller;
   const Registry::Entry* entry = Registry::instance().find(PluginKind::kEntity, asked.type);
-  if (entry != nullptr) {  // else the space refuses it
+  if (entry != nullptr) {  // otherwise the space refuses the type
     entity.type = entry->description.label;
     entity.parameters = valuesOf(asked, entry->description.parameters, entity.location);
   }

@@ -1,5 +1,5 @@
-// Part of phase 2: readings go to the participants, and their answers become commands. Nothing but the participants'
-// frames is touched before all have answered, so a tick can be given up while it waits.
+// Part of phase 2: readings are sent to the participants, and their answers become commands. Until all have answered
+// only the participants' frames change, so a waiting tick can be given up.
 #include <algorithm>
 #include <stdexcept>
 
@@ -12,7 +12,7 @@ namespace swarmanoid {
 namespace {
 
 void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, RobotInstance& instance) {
-  VariableParts parts;  // actuators with spans would need a place that lasts; there are none
+  VariableParts parts;  // actuators with spans would need storage that outlives the call; there are none
   for (const DeviceLayout& actuator : robot.actuators) {
     try {
       readBlock(*findDeviceType(actuator.type), in, space.commands.find(actuator.type, instance.row), parts);
@@ -25,7 +25,7 @@ void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, RobotI
   }
 }
 
-/// What is said of a robot that has been deleted, or commanded by others, since the participant was asked.
+/// Skips the answer for a robot that was deleted, or got another command source, after the frame was sent.
 void skipAnswer(ByteReader& in, StepStatus status, const RemoteRobot& robot) {
   if (status == StepStatus::kFailed) {
     in.text();
@@ -167,7 +167,7 @@ void Lockstep::apply(const Participant& participant, Space& space, std::vector<R
         throw ByteError("found the status " + std::to_string(static_cast<int>(status)) + ", which does not fit");
       }
     } catch (const ByteError& error) {
-      // what follows cannot be read either
+      // the rest of the frame cannot be read either
       for (std::size_t k = i; k < participant.robots.size(); ++k) {
         if (participant.instances[k] != kNoInstance && !instances[participant.instances[k]].has_failed) {
           fail(instances[participant.instances[k]],

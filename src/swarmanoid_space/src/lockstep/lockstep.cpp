@@ -1,4 +1,4 @@
-// Who takes part, and what comes from them; the exchange of a tick is in exchange.cpp.
+// Participants and their answers; the exchange of a tick is in exchange.cpp.
 #include "swarmanoid_space/lockstep/lockstep.hpp"
 
 #include <algorithm>
@@ -169,7 +169,7 @@ std::string Lockstep::answer(CommandFrame frame) {
     return "";
   }
   if (participant.is_late && !is_this_tick && participant.policy == LatePolicy::kSkip) {
-    participant.is_late = false;  // it is alive; from its next frame on it is waited for again
+    participant.is_late = false;  // the participant is alive, and is waited for again from its next frame on
     notices_.push_back({Event::Kind::kParticipantJoined, participant.name,
                         "is back: it answered for tick " + std::to_string(frame.stamp.tick)});
     return "too late for tick " + std::to_string(frame.stamp.tick);

@@ -1,4 +1,4 @@
-// Part of phase 2: for which participants a tick waits, how long, and what is reported.
+// Part of phase 2: the participants that a tick waits for, their timeouts, and the reports.
 #include <algorithm>
 
 #include "../assembly/robot_instance.hpp"
@@ -46,7 +46,7 @@ Lockstep::Clock::time_point Lockstep::nextDeadline() const {
   const auto after = [](Clock::time_point from, Seconds timeout) {
     return from + std::chrono::duration_cast<Clock::duration>(timeout);
   };
-  // a participant that was reported is waited for without an end: this is when the next one is to be reported
+  // the wait for a reported participant has no deadline; this one is for the next report
   Clock::time_point next = after(Clock::now(), Seconds(3600.0));
   if (!unassigned_reported_ && isAnybodyUnassigned()) {
     next = std::min(next, after(started_, options_.join_timeout));

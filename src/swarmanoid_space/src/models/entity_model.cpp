@@ -52,7 +52,7 @@ EntityModel::Silhouette silhouetteOf(const CollisionShape& shape) {
           shape.kind == CollisionShape::Kind::kCylinder && is_upright && is_about_z};
 }
 
-/// Whether all joints that turn the shape turn it about body z.
+/// Returns whether all joints of the shape turn it about body z.
 bool turnsAboutBodyZ(const EntityModel& model, const CollisionShape& shape) {
   for (int joint = shape.joint; joint >= 0; joint = model.joints[static_cast<std::size_t>(joint)].carrier) {
     const EntityModel::Joint& turning = model.joints[static_cast<std::size_t>(joint)];
@@ -63,7 +63,8 @@ bool turnsAboutBodyZ(const EntityModel& model, const CollisionShape& shape) {
   return true;
 }
 
-/// Distance from the body's origin that no point of a turned shape exceeds, with the chain of links stretched out [m].
+/// Upper bound of the distance of a turned shape's points from the body's origin, with the chain of links stretched out
+/// [m].
 double stretchedReach(const EntityModel& model, const CollisionShape& shape) {
   const EntityModel::Joint* turning = &model.joints[static_cast<std::size_t>(shape.joint)];
   double reach = reachFrom(turning->frame.position, shape);
@@ -131,7 +132,7 @@ void EntityModel::measureTurning() {
   moving_reach = bounding_radius;
   joints_keep_outline = true;
   if (joints.empty()) {
-    return;  // nothing turns: engines measure shapes that they have turned themselves
+    return;  // no joint; engines measure shapes that they have turned themselves
   }
   for (const CollisionShape& shape : shapes) {
     if (!turnsAboutBodyZ(*this, shape)) {
@@ -142,7 +143,7 @@ void EntityModel::measureTurning() {
 }
 
 void Inertial::add(const Inertial& part) {
-  // both moments are brought to the common centre (parallel axes)
+  // moves both inertias to the common centre of mass (parallel axes)
   const auto atDistance = [](double m, const Vector3d& r) -> Eigen::Matrix3d {
     return m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   };
@@ -191,7 +192,7 @@ std::string EntityModel::missingPart(const Mechanism& mechanism) const {
     case Mechanism::Kind::kWheels:
       return wheels ? "" : "wheels";
     case Mechanism::Kind::kFlight:
-      return "";  // what is commanded to fly flies
+      return "";  // every entity with a flight command can fly
     case Mechanism::Kind::kJoint:
       if (mechanism.name.empty()) {
         return joints.empty() ? "joints" : "";
@@ -235,7 +236,7 @@ std::shared_ptr<const EntityModel> blockModel(const Vector3d& size, double mass,
 std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height, double mass) {
   auto model = std::make_shared<EntityModel>();
   model->type = "cylindric_prey";
-  model->title = "CylindricPrey";  // one word: tools that read the text table split it at white space
+  model->title = "CylindricPrey";  // one word, because tools split the text table at white space
   const Vector3d middle(0.0, 0.0, height / 2.0);
   CollisionShape cylinder;
   cylinder.half_extent = {radius, radius, height / 2.0};

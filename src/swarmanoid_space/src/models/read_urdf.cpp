@@ -14,8 +14,8 @@
 namespace swarmanoid {
 namespace {
 
-/// Keeps what urdfdom reports as errors: it prints many of them and then succeeds all the same, with the element in
-/// question left out. Messages of other threads go where they went before.
+/// Collects urdfdom's error messages: for many of them it still succeeds, without the element in question. Messages of
+/// other threads go to the previous handler.
 class ErrorListener : public console_bridge::OutputHandler {
  public:
   ErrorListener() : thread_(std::this_thread::get_id()), others_(console_bridge::getOutputHandler()) {
@@ -61,7 +61,7 @@ UrdfFile readUrdf(const std::string& file) {
   result.file = file;
   result.text = readUrdfText(file);
   result.document = parseXml(result.text, file,
-                             XmlNamespaces::kAllowed);  // urdfdom's own parser says neither what is wrong nor where
+                             XmlNamespaces::kAllowed);  // urdfdom's own parser reports neither mistake nor line
   const std::lock_guard<std::mutex> lock(one_listener);
   const ErrorListener listener;
   result.robot = urdf::parseURDF(result.text);
@@ -79,9 +79,9 @@ Mount toMount(const urdf::Pose& pose) {
   const Eigen::Matrix3d turn = mount.orientation.toRotationMatrix();
   Eigen::Matrix3d quarters;
   for (int i = 0; i < 3; ++i) {
-    quarters.col(i) = toAxis(turn.col(i), 2.0 * kSameDirection);  // the errors of three angles together
+    quarters.col(i) = toAxis(turn.col(i), 2.0 * kSameDirection);  // the sum of the errors of three angles
   }
-  constexpr double kRounding = 1e-14;  // what is as exact as that keeps its bits
+  constexpr double kRounding = 1e-14;  // more exact turns keep their bits
   const bool are_quarters = quarters.cwiseAbs().sum() == 3.0 && quarters.determinant() == 1.0;
   if (are_quarters && !turn.isApprox(quarters, kRounding)) {
     mount.orientation = Eigen::Quaterniond(quarters);
@@ -91,7 +91,7 @@ Mount toMount(const urdf::Pose& pose) {
 
 Eigen::Vector3d toAxis(const Eigen::Vector3d& direction, double tolerance) {
   const Eigen::Vector3d straight = direction.normalized();
-  const Eigen::Vector3d axis = straight.array().round() + 0.0;  // without a minus sign at 0
+  const Eigen::Vector3d axis = straight.array().round() + 0.0;  // replaces -0 by 0
   return (straight - axis).norm() < tolerance ? axis : straight;
 }
 

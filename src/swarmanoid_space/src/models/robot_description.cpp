@@ -79,7 +79,7 @@ class Reader {
     return value;
   }
 
-  /// @param known what the URDF has
+  /// @param known names in the URDF
   std::string requireKnown(const xmlNode& element, const char* attribute, const std::string& what,
                            const std::vector<std::string>& known) const {
     std::string value = require(element, attribute);

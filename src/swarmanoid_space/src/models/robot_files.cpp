@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "package.xml";
 
-/// Finds the packages below a folder as catkin does: what is below a package is part of it.
+/// Finds the packages below a folder as catkin does: folders inside a package are not searched.
 void findPackages(const fs::path& folder, std::vector<fs::path>& packages) {
   std::error_code ignored;
   if (fs::exists(folder / "CATKIN_IGNORE", ignored)) {
@@ -38,7 +38,7 @@ void findPackages(const fs::path& folder, std::vector<fs::path>& packages) {
   }
 }
 
-/// The source folders of a devel space, which it names in a file; none if it is an install space.
+/// Returns the source folders of a devel space, which it lists in a file; none for an install space.
 std::vector<fs::path> sourceFolders(const fs::path& prefix) {
   std::vector<fs::path> folders;
   std::ifstream file(prefix / ".catkin");
@@ -72,7 +72,7 @@ class Search {
     const std::string file = (package / kManifest).string();
     try {
       const std::string text = readFile(file, limits::kLongestText);
-      if (text.find("<swarmanoid") != std::string::npos) {  // of hundreds of packages few are worth parsing
+      if (text.find("<swarmanoid") != std::string::npos) {  // few of the hundreds of packages need parsing
         readManifest(package, file, text);
       }
     } catch (const ConfigError& error) {
@@ -114,7 +114,7 @@ class Search {
     }
   }
 
-  /// The files with an ending in the folder that an attribute names; none without the attribute.
+  /// Returns the files with an extension in the folder that an attribute names; none without the attribute.
   static std::vector<fs::path> filesIn(const char* attribute, const char* ending, const fs::path& package,
                                        const std::string& manifest, const xmlNode& element) {
     std::vector<fs::path> files;

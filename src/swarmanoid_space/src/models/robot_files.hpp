@@ -1,12 +1,11 @@
-/// Finds the robots and the presets of devices of this installation: packages say in their package.xml where theirs
-/// are,
+/// Finds the robots and the device presets of this installation. Packages declare them in their package.xml:
 ///
 ///     <export><swarmanoid robots="${prefix}/urdf" realism="${prefix}/realism"/></export>
 ///
-/// one of the two or both. Each <type>.urdf in the first folder is a robot type, each .xml in the second has presets
-/// (experiment_file/realism_presets.hpp). Packages are searched in share/ of every prefix, and in the
-/// source folders of those prefixes that are devel spaces. A package that is there more than once is taken from the
-/// first prefix where its package.xml has that element.
+/// with one or both attributes. Each <type>.urdf in the first folder is a robot type, each .xml in the second has
+/// presets (experiment_file/realism_presets.hpp). Packages are searched in share/ of every prefix, and in the source
+/// folders of prefixes that are devel spaces. A package with several copies is taken from the first prefix whose
+/// package.xml has the element.
 #pragma once
 
 #include <string>
@@ -21,15 +20,15 @@ struct RobotFile {
 };
 
 struct RobotFiles {
-  std::vector<RobotFile> robots;      ///< sorted by type; a type may be there twice, which is for the caller to refuse
+  std::vector<RobotFile> robots;      ///< sorted by type; a type may be there twice, which the caller must refuse
   std::vector<std::string> presets;   ///< files with presets of devices, sorted by name, then by folder
-  std::vector<std::string> problems;  ///< packages whose robots or presets cannot be found: "package.xml:12: found ..."
+  std::vector<std::string> problems;  ///< packages without the declared folders: "package.xml:12: found ..."
 };
 
-/// Searched once a process. Thread-safe.
+/// Result of a search that runs once per process. Thread-safe.
 const RobotFiles& robotFiles();
 
-/// @param share_folders those of the prefixes, most important first
+/// @param share_folders share/ of the prefixes, in descending priority
 RobotFiles findRobotFiles(const std::vector<std::string>& share_folders);
 
 }  // namespace swarmanoid

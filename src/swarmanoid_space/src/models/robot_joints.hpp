@@ -5,12 +5,12 @@
 
 namespace swarmanoid {
 
-/// Whether it is revolute or continuous.
+/// Returns whether the joint is revolute or continuous.
 bool isTurningJoint(const urdf::Joint& joint);
 
 /// @param frame of the joint's link in the body frame, with all joints at zero
-/// @param carrier the index of the joint that turns what carries this one; -1: none
-/// @throws ConfigError if it has no limits, or starts outside of them
+/// @param carrier index of the joint that moves this joint; -1: none
+/// @throws ConfigError if the joint has no limits, or its start is outside of them
 EntityModel::Joint readJoint(const UrdfFile& urdf, const urdf::Joint& joint, const Mount& frame, int carrier);
 
 }  // namespace swarmanoid

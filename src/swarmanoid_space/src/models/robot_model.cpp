@@ -1,4 +1,4 @@
-// Robots' models from their URDF.
+// Creates models of robots from their URDF.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -26,13 +26,13 @@ bool isUpright(const CollisionShape& shape) {
 /// Builds the model of one robot, part by part.
 class RobotReader {
  public:
-  /// @param problems what is wrong is added to it, and the rest is read; null: it is thrown
+  /// @param problems mistakes are added to it, and reading continues; null: mistakes are thrown
   RobotReader(const std::string& type, const std::string& file, std::vector<std::string>* problems)
       : urdf_(readUrdf(file)), problems_(problems) {
     for (const ConfigError& mistake : mistakesIn(urdf_)) {
       attempt([&] { throw ConfigError(mistake); });
     }
-    description_ = readRobotDescription(*urdf_.document, file);  // without it no joint is known to be a wheel
+    description_ = readRobotDescription(*urdf_.document, file);  // required: it names the joints that are wheels
     model_->type = type;
     model_->title = description_.title;
     model_->holders = description_.holders;
@@ -84,7 +84,7 @@ class RobotReader {
     }
   }
 
-  /// @param turned_by the joint that turns the link, or what carries it; -1: none
+  /// @param turned_by the nearest joint between the link and the body; -1: none
   void readLink(const urdf::Link& link, const Mount& frame, int turned_by) {
     Mount& mount = model_->mounts[link.name];
     mount = frame;
@@ -153,7 +153,7 @@ class RobotReader {
     }
     const bool is_box = shape.kind == CollisionShape::Kind::kBox;
     const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
-    // as the file has them: a radius, or a whole length
+    // sizes as in the file: a radius, or a whole length
     const Eigen::Vector3d sizes = shape.half_extent.cwiseProduct(is_box      ? Eigen::Vector3d(2.0, 2.0, 2.0)
                                                                  : is_sphere ? Eigen::Vector3d(1.0, 1.0, 1.0)
                                                                              : Eigen::Vector3d(1.0, 1.0, 2.0));
@@ -218,7 +218,7 @@ class RobotReader {
   UrdfFile urdf_;
   std::vector<std::string>* problems_;
   RobotDescription description_;
-  bool has_collision_ = false;  ///< elements of it, whether they can be read or not
+  bool has_collision_ = false;  ///< there are collision elements, readable or not
   std::shared_ptr<EntityModel> model_ = std::make_shared<EntityModel>();
 };
 

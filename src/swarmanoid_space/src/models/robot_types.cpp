@@ -1,4 +1,4 @@
-// The robots that packages bring, as entity types of <arena>; what else stands there is in arena_objects/.
+// Robots of installed packages as entity types of <arena>; other types are in arena_objects/.
 #include <array>
 #include <string>
 #include <utility>
@@ -13,7 +13,7 @@
 namespace swarmanoid {
 namespace {
 
-/// The numbers of a battery that elements of <arena> may say, by their names there.
+/// Battery parameters that elements of <arena> may set, by their names there.
 struct BatteryNumber {
   const char* name;
   double BatteryModel::*value;
@@ -24,7 +24,8 @@ constexpr BatteryNumber kBatteryNumbers[] = {{"battery_capacity", &BatteryModel:
                                              {"battery_enough", &BatteryModel::enough},
                                              {"battery_stall", &BatteryModel::stall}};
 
-/// A number that would be without effect. Defaults are filled in before, so these are not refused.
+/// Refuses battery parameters without a battery, where they have no effect. Default values are accepted, because they
+/// were filled in before.
 void refuseBatteryNumbers(const Configuration& parameters, const BatteryModel& usual) {
   for (const auto& [name, value] : kBatteryNumbers) {
     const Configuration* given = parameters.find(name);
@@ -67,7 +68,7 @@ class RobotType final : public EntityType {
   std::string name_;
 };
 
-/// What elements of <arena> may say of the battery of a robot that can have one.
+/// Parameters in <arena> for the battery of a robot that can have one.
 std::vector<Parameter> batteryParameters(const BatteryModel& battery) {
   using Type = Parameter::Type;
   return {makeParameter("battery", Type::kBoolean, "", "false", {}, "Whether it runs on a battery, or for ever."),
@@ -83,7 +84,7 @@ std::vector<Parameter> batteryParameters(const BatteryModel& battery) {
                         "Of both wheels' motors at full voltage while they are held; 0: load draws nothing.")};
 }
 
-/// Empty where the description is wrong; robotModel says what is wrong to whoever uses the robot.
+/// Returns an empty description if the file has mistakes; robotModel reports them when the robot is used.
 RobotDescription descriptionOf(const RobotFile& robot) {
   try {
     const XmlDocument document = parseXml(readUrdfText(robot.file), robot.file, XmlNamespaces::kAllowed);
@@ -93,8 +94,8 @@ RobotDescription descriptionOf(const RobotFile& robot) {
   }
 }
 
-/// Registers a type for each robot that a package brings. Of two of a name the second is a conflict in the registry,
-/// and whoever uses the name is refused.
+/// Registers a type for each robot of a package. The second of two robots with one name is a conflict in the registry,
+/// and experiments that use the name are refused.
 bool registerRobotTypes() {
   for (const RobotFile& robot : robotFiles().robots) {
     PluginDescription description;

@@ -20,7 +20,7 @@ double cylinderRadius(const urdf::GeometrySharedPtr& geometry) {
 }
 
 double wheelRadius(const UrdfFile& urdf, const urdf::Link& link) {
-  // the widest cylinder is the tread, others are hubs
+  // the widest cylinder is the tread; narrower ones are hubs
   double radius = 0.0;
   for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
     radius = std::max(radius, cylinderRadius(collision->geometry));

@@ -6,10 +6,10 @@
 
 namespace swarmanoid {
 
-/// The differential drive that two joints make (continuous, axis y, with a limit of velocity; the widest cylinder of
+/// Reads the differential drive that two joints form (continuous, axis y, with a velocity limit; the widest cylinder of
 /// each joint's link is the wheel).
-/// @param model its mounts are read
-/// @throws ConfigError if they make none that can be simulated
+/// @param model provides its mounts
+/// @throws ConfigError if the joints do not form a drive that can be simulated
 EntityModel::Wheels readWheels(const UrdfFile& urdf, const EntityModel& model, const RobotDescription::Wheels& joints);
 
 }  // namespace swarmanoid

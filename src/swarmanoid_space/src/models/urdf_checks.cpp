@@ -31,7 +31,7 @@ class UrdfChecks {
         checkInertial(*childOf(*element, "inertial"), name, *link->inertial);
       }
     }
-    // a robot without any mass can be used where there are no forces
+    // a robot without mass can be used where there are no forces
     if (mass_ > 0.0 && !limits::kMass.contains(mass_)) {
       mistakes_.emplace_back(
           SourceLocation{urdf_.file, 0},
@@ -70,7 +70,7 @@ class UrdfChecks {
     }
     // in ascending order
     const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertiaOf(inertial)).eigenvalues();
-    constexpr double kRounding = 0.01;  // of what files with few digits say
+    constexpr double kRounding = 0.01;  // of files with few digits
     if (!(moments[0] >= -kRounding * moments[2] && moments[2] <= (1.0 + kRounding) * (moments[0] + moments[1]))) {
       const xmlNode* place = childOf(element, "inertia");
       PlainTextStream found;

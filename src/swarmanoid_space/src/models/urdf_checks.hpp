@@ -1,4 +1,5 @@
-/// What urdfdom takes and this suite cannot do, or no body can have: refused by name instead of ignored.
+/// Checks for elements that urdfdom accepts but that this suite does not support or that are physically impossible.
+/// They are refused by name instead of ignored.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,7 @@
 namespace swarmanoid {
 
 /// @return all such mistakes, with their lines: joints that slide or follow others, masses beyond limits::kMass,
-/// inertias that no distribution of mass has
+/// inertias that no mass distribution has
 std::vector<ConfigError> mistakesIn(const UrdfFile& urdf);
 
 }  // namespace swarmanoid

@@ -67,7 +67,7 @@ void add(Config& config, const Parameter& parameter, const std::string& text) {
   }
 }
 
-/// Returns the least or the greatest values of the ranges.
+/// Returns the minimum or the maximum values of the ranges.
 Config limits(const std::vector<Parameter>& parameters, bool is_least) {
   Config config;
   for (const Parameter& parameter : parameters) {

@@ -39,7 +39,7 @@ class EngineParameters {
   ros::Publisher updates_;
   ros::ServiceServer server_;
   ros::WallTimer timer_;
-  std::mutex mutex_;  // guards the members below, which hold what is published
+  std::mutex mutex_;  // guards the members below, which are the published values
   std::string last_error_;
   NamedValues published_values_;
   std::optional<std::string> published_error_;  // empty: none has been published yet

@@ -1,8 +1,9 @@
-/// The socket by which participants on the computer of the space give and get frames, each a message as bytes.
+/// Socket for participants on the same computer as the space. Frames are sent both ways, each as one message of bytes.
 ///
-/// Who connects gets a number as its first packet, and names it when it registers.
+/// A participant that connects receives a connection number as its first packet, and names it when it registers.
 ///
-/// Threads  it has one, which calls the function of the constructor. Its other functions may be called by any.
+/// Threads  it has a thread of its own, which calls the function of the constructor. Other functions may be called by
+///          any.
 #pragma once
 
 #include <atomic>
@@ -20,25 +21,25 @@ namespace swarmanoid {
 
 class LocalParticipants {
  public:
-  /// @param answered gets each packet that comes, and throws what it cannot read: then that connection ends
+  /// @param answered gets each received packet; if it throws, the connection is closed
   explicit LocalParticipants(std::function<void(const Bytes&)> answered);
   ~LocalParticipants();
 
-  /// Of the socket.
+  /// Name of the socket.
   const std::string& name() const { return name_; }
-  /// @return where frames go to who has this number @throws std::runtime_error if nobody has it
+  /// @return the socket for frames to the participant with this number @throws std::runtime_error if there is none
   std::shared_ptr<const PacketSocket> find(std::uint64_t connection) const;
 
  private:
   void run();
   void accept();
-  /// @return whether the connection lives on
+  /// @return whether the connection stays open
   bool receive(PacketSocket& connection);
 
   std::function<void(const Bytes&)> answered_;
   std::string name_;
   PacketSocket listener_;
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members below
   std::map<std::uint64_t, std::shared_ptr<PacketSocket>> connections_;
   std::uint64_t last_ = 0;
   std::atomic<bool> is_over_{false};

@@ -33,7 +33,7 @@ class LockstepServer {
   bool join(swarmanoid_msgs::Register::Request& request, swarmanoid_msgs::Register::Response& response);
   /// On topics.
   std::shared_ptr<Channel> open(const std::string& participant);
-  /// On this computer. @throws std::runtime_error if nobody has that number
+  /// On this computer. @throws std::runtime_error if no connection has that number
   Lockstep::Send sendTo(std::uint64_t connection) const;
   void answer(const swarmanoid_msgs::CommandFrame& message);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);

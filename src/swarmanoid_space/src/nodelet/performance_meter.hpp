@@ -13,7 +13,7 @@ class PerformanceMeter {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Adds a tick; it is called after each one.
+  /// Adds a tick. It is called after each tick.
   void add(const PhaseTimes& phases, std::size_t robots) {
     sum_ += phases;
     robot_ticks_ += static_cast<double>(robots);

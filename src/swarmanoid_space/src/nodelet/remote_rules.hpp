@@ -23,7 +23,7 @@ RemoteRules remoteRules(bool is_reachable);
 void checkExitCodeFile(const std::string& file, const RemoteRules& rules);
 
 /// Checks all other files. If files are restricted, no existing file is replaced either.
-/// @throws ConfigError naming the parameter, what was found and what is allowed
+/// @throws ConfigError naming the parameter, the value found and the allowed values
 void checkFiles(const SpaceOptions& options, const RemoteRules& rules);
 
 }  // namespace swarmanoid

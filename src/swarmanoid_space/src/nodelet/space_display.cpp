@@ -10,7 +10,7 @@ namespace {
 
 constexpr bool kLatched = true;
 
-/// Stamps of one nanosecond more than those of a change are for subscribers that come after it.
+/// Delay of a change's stamp; the stamp one nanosecond after it is for subscribers that connect after the change.
 constexpr std::int32_t kDelayOfChange = 2;  // [ns]
 
 void delay(tf2_msgs::TFMessage& message, std::int32_t nanoseconds) {
@@ -37,7 +37,7 @@ SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& optio
   id_ = "ros";
   clock_publisher_ = own_.advertise<rosgraph_msgs::Clock>("/clock", 1, kLatched);
   tf_publisher_ = advertise<tf2_msgs::TFMessage>("/tf", 100, [this](const Space& space, const auto& newcomer) {
-    // later, for the tick's own batch may have reached the subscriber with the same stamp
+    // a later stamp, because the batch of the tick may have reached the subscriber with the same stamp
     tf2_msgs::TFMessage moving = transforms_.moving(space);
     delay(moving, rest_.changes * kDelayOfChange + 1);
     newcomer.publish(moving);

@@ -2,8 +2,9 @@
 ///
 /// Nothing is serialised for a topic without subscribers, except /clock, which is small, and latched topics, whose
 /// subscribers may connect later. A subscriber that connects while the space is paused gets the present state at once,
-/// and no other subscriber does. What is changed from outside between two ticks is shown at once, too. A transform must
-/// not be sent twice with one stamp, so both have stamps that are some nanoseconds later than that of the tick.
+/// and no other subscriber does. Changes from outside between two ticks are shown at once, too. A transform must not be
+/// sent twice with one stamp, so the transforms in both cases have stamps that are some nanoseconds later than that of
+/// the tick.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -27,10 +28,10 @@ class SpaceDisplay final : public Observer {
   using State = SimulationThread::State;
 
   /// @param own handle in the namespace of ~world_state and the other topics; /clock and /tf are global
-  /// @param drawn_robots those whose devices are drawn
+  /// @param drawn_robots robots whose devices are drawn
   SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& options, DrawnRobots drawn_robots);
 
-  /// Its ticks are timed from now on.
+  /// Shows this simulation, whose ticks are timed from now on.
   void follow(Simulation& simulation) {
     simulation.timePhases();
     simulation_ = &simulation;
@@ -62,7 +63,7 @@ class SpaceDisplay final : public Observer {
   struct Rest {
     Moment moment;
     std::uint64_t state_hash = 0;
-    std::int32_t changes = 0;  ///< that were shown since the tick
+    std::int32_t changes = 0;  ///< number of changes shown since the tick
   };
   using Serve = std::function<void(const Space&, const ros::SingleSubscriberPublisher&)>;
 

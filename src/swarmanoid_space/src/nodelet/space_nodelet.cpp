@@ -1,5 +1,4 @@
-// The space under ROS: it reads the experiment, loads the nodelets that the experiment needs, makes the ticks, and
-// ends.
+// The space under ROS: reads the experiment, loads the nodelets that it needs, makes the ticks, and ends.
 #include <nodelet/nodelet.h>
 #include <ros/init.h>
 #include <ros/master.h>

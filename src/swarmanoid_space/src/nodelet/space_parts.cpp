@@ -52,7 +52,7 @@ std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, cons
   }
   for (const ControllerDescription& controller : experiment.controllers) {
     if (!controller.script.empty()) {
-      continue;  // what is in Python is no nodelet: the space itself runs it
+      continue;  // a Python controller is not a nodelet: the space itself runs it
     }
     parts.push_back({PluginKind::kController, controller.id, controller.label, controller.parameters, nullptr});
   }

@@ -11,8 +11,8 @@
 
 namespace swarmanoid {
 
-/// Returns an engine for each engine, a controller for each controller configuration, an observer for each robot whose
-/// devices have topics.
+/// Returns the requests: an engine nodelet for each engine, a controller nodelet for each controller configuration, an
+/// observer nodelet for each robot whose devices have topics.
 /// @param commands mailbox for commands that come over the topics
 std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots,
                                               const std::shared_ptr<CommandMailbox>& commands);

@@ -40,7 +40,7 @@ std::string failuresSince(std::size_t known, const Simulation& simulation) {
 template <class Response, class Items, class Act>
 bool intervene(SimulationThread& thread, const Items& items, Response& response, Act act) {
   return answer(response, [&] {
-    // the action owns it, and may go on after the caller has stopped waiting
+    // owned by the action, which may continue after the caller has stopped waiting
     const auto done = std::make_shared<Response>();
     try {
       thread.callUsers([items, act, done](Simulation& simulation) {
@@ -220,7 +220,7 @@ bool SpaceServices::paintFloor(swarmanoid_msgs::PaintFloor::Request& request,
                      disc.color = parseColorOrThrow(color, "color", {});
                      disc.strength = strength == 0.0 ? 1.0 : strength;
                      const PaintLayer& paint = simulation.space().floor.paint;
-                     // what is wrong with the disc itself, `apply` refuses
+                     // `apply` refuses mistakes in the disc itself
                      if (paint.exists() && disc.position.allFinite() && PaintFloor::kRadius.contains(disc.radius)) {
                        *cells += paint.cellsAround(disc);
                        PaintFloor::requireFewCells(*cells);
@@ -256,7 +256,7 @@ bool SpaceServices::inspect(swarmanoid_msgs::Inspect::Request& request, swarmano
     response.state = toString(thread_.state());
     response.target_real_time_factor = thread_.realTimeFactor();
     thread_.look([&](const Simulation& simulation) {
-      response.state = toString(thread_.state());  // of that tick
+      response.state = toString(thread_.state());  // state at that tick
       swarmanoid::inspect(simulation, request, response);
     });
     return "";

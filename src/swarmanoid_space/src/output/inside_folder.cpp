@@ -10,7 +10,7 @@ fs::path realPath(const fs::path& path) {
   std::error_code problem;
   const fs::path full = fs::absolute(path.empty() ? "." : path, problem);
   const fs::path real = fs::weakly_canonical(full, problem);
-  return real.has_filename() ? real : real.parent_path();  // one that is not there keeps its last /
+  return real.has_filename() ? real : real.parent_path();  // a missing folder keeps its trailing /
 }
 
 bool isInside(const fs::path& path, const fs::path& folder) {

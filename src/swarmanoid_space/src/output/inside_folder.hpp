@@ -1,17 +1,17 @@
-/// Whether a path is inside a folder, by what both mean and not by how they are written: links and dots are followed
-/// first, as far as there are such files. It holds for the moment in which it is asked.
+/// Checks whether a path is inside a folder, by their meaning and not their text: links and dots are resolved first, as
+/// far as the files exist. The result holds only for the moment of the call.
 #pragma once
 
 #include <filesystem>
 
 namespace swarmanoid {
 
-/// The path as the system knows it: absolute, without links, dots, and a / at the end.
+/// Returns the canonical path: absolute, without links, dots or a trailing /.
 /// @param path "": the current folder
-/// @return "" if the system does not say, as for links that lead to each other
+/// @return "" if the system cannot resolve it, such as for links that lead to each other
 std::filesystem::path realPath(const std::filesystem::path& path);
 
-/// The folder itself is inside too; where the system does not say nothing is.
+/// Returns whether the path is inside the folder or is the folder itself; false if one of them cannot be resolved.
 bool isInside(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 }  // namespace swarmanoid

@@ -15,7 +15,7 @@ OutDescriptor::OutDescriptor(int descriptor, std::string path, std::string write
 
 OutDescriptor::~OutDescriptor() {
   if (isOpen()) {
-    close(descriptor_);  // nothing waits here to be written
+    close(descriptor_);  // there is no buffer to write
   }
 }
 

@@ -23,7 +23,7 @@ class OutFile::Buffer final : public std::streambuf {
     has_begun_ = false;
   }
 
-  /// What is wrong is kept for whoever asks: a stream would swallow it.
+  /// Stores the first exception for a later query, because a stream would swallow it.
   void write() {
     if (isOpen() && !is_lost_) {
       try {

@@ -17,15 +17,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// @param descriptor of a file, or negative @return another one of it, if it is that of a standard stream, which users'
-/// code may have closed: all that is printed would go into the file
+/// Replaces the descriptor of a file if it is that of a standard stream, which users' code may have closed: everything
+/// printed would be written to the file. @param descriptor of a file, or negative @return the new descriptor, or the
+/// same
 int besideStandardStreams(int descriptor) {
   if (descriptor < 0 || descriptor > STDERR_FILENO) {
     return descriptor;
   }
   const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   const int reason = errno;
-  // nobody else is to get that number
+  // occupies the number, so that no other file gets it
   const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
   dup2(nothing, descriptor);
   close(nothing);
@@ -33,7 +34,7 @@ int besideStandardStreams(int descriptor) {
   return moved;
 }
 
-/// Whether a name is `begin`, digits, `end`.
+/// Returns whether a name is `begin`, digits, `end`.
 bool isOfSeries(const std::string& name, const std::string& begin, const std::string& end) {
   if (name.size() <= begin.size() + end.size() || name.compare(0, begin.size(), begin) != 0 ||
       name.compare(name.size() - end.size(), end.size(), end) != 0) {
@@ -56,7 +57,7 @@ OutFolder::OutFolder(const std::string& folder, const std::string& prefix, Rules
   }
 }
 
-/// Makes the folder with all that lead to it, and notes which of them were not there.
+/// Creates the folder and its missing parents, and remembers which ones it created.
 std::error_code OutFolder::make(const fs::path& folder) {
   std::error_code problem;
   std::vector<fs::path> made;
@@ -93,7 +94,7 @@ OutFolder::~OutFolder() {
     fs::remove(file, ignored);
   }
   for (const fs::path& folder : made_folders_) {
-    fs::remove(folder, ignored);  // not if others have put something there
+    fs::remove(folder, ignored);  // fails if the folder is no longer empty
   }
 }
 
@@ -148,7 +149,7 @@ fs::path OutFolder::placeOf(const std::string& name, const Writer& writer) const
   return path;
 }
 
-/// @return whether it is there, and may be written all the same
+/// @return whether the file exists; throws if it may not be replaced
 bool OutFolder::mayReplace(const fs::path& path, const std::string& name, const Writer& writer) const {
   struct stat found {};
   if (lstat(path.c_str(), &found) != 0) {
@@ -162,7 +163,7 @@ bool OutFolder::mayReplace(const fs::path& path, const std::string& name, const 
            std::string("which is a ") + (S_ISDIR(found.st_mode) ? "folder" : "disk") + ", allowed: a file");
   }
   if (!S_ISREG(found.st_mode)) {
-    return true;  // a device or a pipe: nothing in it can be lost
+    return true;  // a device or a pipe has no data to lose
   }
   const auto taken = taken_.find({found.st_dev, found.st_ino});
   if (taken != taken_.end()) {
@@ -185,7 +186,7 @@ OutDescriptor OutFolder::open(const std::string& name, const Writer& writer) {
   const bool is_there = mayReplace(path, name, writer);
   std::error_code ignored;
   const bool is_file = !is_there || fs::is_regular_file(path, ignored);
-  // a pipe that nobody reads is not waited for; a file must not have become a link meanwhile
+  // opening does not block for a pipe without a reader, and fails if the file has become a link meanwhile
   const int flags = O_CLOEXEC | O_NOCTTY |
                     (is_file ? O_RDWR | O_NOFOLLOW | (is_there ? 0 : O_CREAT | O_EXCL) : O_WRONLY | O_NONBLOCK);
   constexpr mode_t kMode = 0666;
@@ -194,10 +195,10 @@ OutDescriptor OutFolder::open(const std::string& name, const Writer& writer) {
   if (descriptor < 0 || fstat(descriptor, &opened) != 0) {
     fail(writer, "cannot write " + shown.string() + ": " + std::strerror(errno));
   }
-  // somebody may have put something else there since it was looked at
+  // another process may have replaced the file since the check
   const bool is_what_was_there = S_ISREG(opened.st_mode) == is_file && !S_ISBLK(opened.st_mode);
   if (is_file && !is_there) {
-    taken_.erase(Identity{opened.st_dev, opened.st_ino});  // it is new: what had that number is gone
+    taken_.erase(Identity{opened.st_dev, opened.st_ino});  // a new file: the former one with this number is deleted
   }
   if (!is_what_was_there || (is_file && !taken_.emplace(Identity{opened.st_dev, opened.st_ino}, writer.name).second)) {
     close(descriptor);

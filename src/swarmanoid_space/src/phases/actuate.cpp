@@ -1,4 +1,4 @@
-// Phase 3: commands are checked, given their errors, and limited.
+// Phase 3: commands are checked, disturbed by their errors, and limited.
 #include "phases.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 

@@ -1,4 +1,5 @@
-// Phase 5: grips are made and broken, engine by engine; then what hangs on the new poses, such as laser spots.
+// Phase 5: grips are made and broken, engine by engine; then state that depends on the new poses, such as laser spots,
+// is updated.
 #include "phases.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 

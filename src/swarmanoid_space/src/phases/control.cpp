@@ -1,5 +1,5 @@
-// Phase 2: every controller of this process turns readings into commands. On the way over all robots it is found out
-// whether any of them needs more than that: few ticks have to go over them again.
+// Phase 2: every controller of this process turns readings into commands. The same pass finds out whether any robot
+// needs further processing, so that few ticks need another pass.
 #include <atomic>
 
 #include "phases.hpp"
@@ -8,7 +8,7 @@
 namespace swarmanoid::phases {
 namespace {
 
-/// Steps all robots of a group by one call. @return whether any of them has failed
+/// Steps all robots of a group in one call. @return whether any of them has failed
 bool stepTogether(const Space& space, Banks& commands, ByRow<ControllerState>& states, ControllerGroup& group,
                   std::vector<RobotInstance>& instances) {
   group.members.clear();

@@ -1,9 +1,10 @@
-// Phase 5, at its end: who has lost the ground falls into a hole.
+// Last part of phase 5: entities that have lost the ground fall into a hole.
 //
-// An engine moves it, it does not fly, and it stands on the level floor: its lowest point is at most kStep above it. It
-// has lost the ground when its centre of mass is over a hole, or both of its wheels are. What is connected carries each
-// other: all of it falls when more than half of its mass has lost the ground, and nobody if it holds on to what is
-// fixed. Holes are looked at once a tick: what crosses one within a tick does not fall.
+// An entity can lose the ground if an engine moves it, it does not fly, and it stands on the level floor: its lowest
+// point is at most kStep above it. It has lost the ground when its centre of mass is over a hole, or both of its wheels
+// are. Connected entities support each other: all of them fall when more than half of their mass has lost the ground,
+// and none if one of them is fixed. The check runs once per tick, so an entity that crosses a hole within a tick does
+// not fall.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ bool standsOnTheFloor(const EntityModel& model, const Pose& pose) {
   });
 }
 
-/// The hole that its centre of mass is over, or that its left wheel is over if the right one is over a hole too.
+/// Returns the hole below the centre of mass, or the one below the left wheel if the right wheel is over a hole too.
 const FloorHole* holeBelow(const Space& space, const EntityModel& model, const Pose& pose) {
   const FloorHole* hole = space.holeAt(pose.toWorld(model.centre_of_mass));
   if (hole != nullptr || !model.wheels) {
@@ -31,7 +32,8 @@ const FloorHole* holeBelow(const Space& space, const EntityModel& model, const P
   return space.holeAt(pose.toWorld(-left)) != nullptr ? space.holeAt(pose.toWorld(left)) : nullptr;
 }
 
-/// The hole into which it would fall if nobody held it; null if it has ground below, or needs none.
+/// Returns the hole into which the entity would fall without support by others; null if it has ground below, or needs
+/// none.
 const FloorHole* lostGround(const Space& space, Row row) {
   const EntityModel& model = *space.entities.model[row];
   if (!model.is_movable || space.mover[row] == nullptr || space.flight[row].is_driven) {
@@ -50,7 +52,8 @@ void addMember(Row row, std::vector<Row>& members) {
   }
 }
 
-/// All that hangs together with an entity, and what is fixed that these hold on to. As connectedTo, without allocating.
+/// Collects the entities connected to one, including the fixed ones that they hold on to. As connectedTo, without
+/// allocating.
 void collectConnected(const Space& space, Row row, std::vector<Row>& members) {
   members.assign(1, row);
   for (std::size_t k = 0; k < members.size(); ++k) {
@@ -77,7 +80,7 @@ void collectConnected(const Space& space, Row row, std::vector<Row>& members) {
   }
 }
 
-/// Whether those that still have ground below do not hold all of them.
+/// Returns whether the members with ground below cannot hold the others.
 bool isTooHeavy(const Space& space, const std::vector<Row>& members) {
   double lost = 0.0;
   double mass = 0.0;
@@ -95,7 +98,7 @@ bool isTooHeavy(const Space& space, const std::vector<Row>& members) {
   return are_all_lost || 2.0 * lost > mass;
 }
 
-/// @param drawer whose fall draws along those that have ground below @param hole into which the drawer falls
+/// @param drawer falling entity that pulls in members with ground below @param hole into which the drawer falls
 Event fallOf(const Space& space, Row row, Row drawer, const FloorHole& hole) {
   const FloorHole* own = lostGround(space, row);
   const std::string what = own != nullptr ? "hole '" + own->id + "'"

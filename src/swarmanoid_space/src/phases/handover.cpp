@@ -1,4 +1,4 @@
-// Phase 5, at its end: rules for handover look at the new poses and grips, and at what controllers said.
+// Last part of phase 5: handover rules check the new poses and grips, and the debug values of controllers.
 
 #include "phases.hpp"
 
@@ -17,7 +17,7 @@ void attempt(Space& space, const std::vector<Named<Engine>>& engines, const std:
     handover.commit(space.events);
     trigger.is_due = false;
   } else if (!trigger.is_refused) {
-    trigger.is_refused = true;  // reported once; tried again each tick, for what is in the way may go
+    trigger.is_refused = true;  // reported once; tried again each tick, because the obstacle may disappear
     space.events.push_back({Event::Kind::kHandoverRefused, space.entities.name[trigger.row], "",
                             "to " + trigger.engine->id() + ": " + problem});
   }

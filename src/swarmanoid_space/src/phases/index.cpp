@@ -1,4 +1,4 @@
-// Phase 6: the positional index gets the new poses; an event names entities that have left the arena.
+// Phase 6: the positional index gets the new poses; entities that have left the arena get an event.
 #include <atomic>
 
 #include "phases.hpp"
@@ -6,7 +6,7 @@
 namespace swarmanoid::phases {
 namespace {
 
-/// Where an entity's origin is inside the arena.
+/// Range of an entity's origin inside the arena.
 struct Inside {
   Eigen::Array3d least;
   Eigen::Array3d most;
@@ -14,7 +14,7 @@ struct Inside {
   bool holds(const Eigen::Vector3d& p) const { return (p.array() >= least).all() && (p.array() <= most).all(); }
 };
 
-/// @return whether anybody has come or gone since `outside` was written
+/// @return whether any entity has entered or left since `outside` was written
 bool hasAnyoneCrossed(const ByRow<Pose>& poses, const ByRow<char>& outside, const Inside& inside,
                       const Workers& workers) {
   std::atomic<bool> has_crossed{false};
@@ -37,7 +37,7 @@ bool hasAnyoneCrossed(const ByRow<Pose>& poses, const ByRow<char>& outside, cons
 void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events,
            const Workers& workers) {
   constexpr double kEdge = 1e-3;  // m
-  constexpr double kSunk = 0.1;   // m: below the ground. A hard landing sinks in by centimetres, but leaves no arena
+  constexpr double kSunk = 0.1;   // m: below the ground; hard landings sink in by centimetres without leaving the arena
   index.update(space.entities);
   const Inside inside{{space.corner.x() - kEdge, space.corner.y() - kEdge, space.lowestGround() - kSunk},
                       space.farCorner().array() + kEdge};

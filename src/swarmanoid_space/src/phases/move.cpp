@@ -1,4 +1,4 @@
-// Phase 4: every engine moves what it is in charge of, engines beside each other.
+// Phase 4: every engine moves its entities; the engines run in parallel.
 #include <atomic>
 #include <stdexcept>
 
@@ -11,7 +11,8 @@ namespace {
 
 bool isFinite(const Pose& pose) { return pose.position.allFinite() && pose.orientation.coeffs().allFinite(); }
 
-/// A sum is finite if all that it sums is, for numbers of this size. Rows without an entity have the default.
+/// Checks sums: for numbers of this size a sum is finite if all its terms are. Rows without an entity have the default
+/// pose.
 bool areAllFinite(const ByRow<Pose>& poses, const Workers& workers) {
   std::atomic<bool> are_finite{true};
   const auto count = static_cast<std::size_t>(poses.end() - poses.begin());
@@ -30,7 +31,7 @@ bool areAllFinite(const ByRow<Pose>& poses, const Workers& workers) {
   return are_finite;
 }
 
-/// An engine whose computation has broken down must not hand it on: to grips, the index, sensors, recordings.
+/// Stops poses that are not finite before they reach grips, the index, sensors and recordings.
 void refuseWhatIsNotFinite(const Space& space, const Workers& workers) {
   if (areAllFinite(space.entities.pose, workers)) {
     return;

@@ -1,5 +1,5 @@
-// Phase 7: batteries give what their robots have drawn in this tick, and take what they are charged with. Beside it,
-// part of phase 3: what works no more on the super-capacitor alone, and without any charge.
+// Phase 7: batteries supply the energy that their robots used in the tick, and are charged. Also part of phase 3:
+// functions that are off on the super-capacitor alone, and without any charge.
 #include <algorithm>
 #include <cmath>
 
@@ -22,22 +22,23 @@ double standbyPower(const BatteryModel& battery, const ControllerDescription* co
 
 namespace {
 
-/// What a motor draws beyond its drive because it turns slower than its voltage would have it, by the law of a motor of
-/// direct current. All speeds are parts of the fastest. @param voltage part of the full one, from -1 to 1
+/// Power of a motor in excess of its drive's, because it turns slower than its voltage would make it without load, by
+/// the law of a direct-current motor. All speeds are fractions of the maximum speed. @param voltage fraction of the
+/// full voltage, from -1 to 1
 double loadPower(double stall, double voltage, double speed) {
   const double forward = voltage < 0.0 ? -speed : speed;
   const double lag = std::clamp(std::abs(voltage) - forward, 0.0, std::abs(voltage));
   return stall * std::abs(voltage) * lag;
 }
 
-/// Of both wheels. @pre the robot has wheels that are driven
+/// Excess power of both wheels. @pre the robot has wheels that are driven
 double loadPower(const Space& space, Row row, const BatteryModel& battery) {
   const EntityModel::Wheels& geometry = *space.entities.model[row]->wheels;
   const WheelsCommand& wheels = space.wheels[row];
   const Eigen::Quaterniond to_body = space.entities.pose[row].orientation.conjugate();
   const double ahead = (to_body * space.entities.twist[row].linear).x();
   const double aside = 0.5 * geometry.separation * (to_body * space.entities.twist[row].angular).z();
-  const double left = geometry.radius * geometry.max_speed * wheels.grip.left;  // m/s of the ground at full voltage
+  const double left = geometry.radius * geometry.max_speed * wheels.grip.left;  // ground speed at full voltage [m/s]
   const double right = geometry.radius * geometry.max_speed * wheels.grip.right;
   const double stall = 0.5 * std::max(0.0, battery.stall - battery.drive);
   return loadPower(stall, geometry.radius * wheels.left / left, (ahead - aside) / left) +
@@ -78,7 +79,7 @@ bool isCarried(const Space& space, Row row) {
 namespace swarmanoid::phases {
 namespace {
 
-/// Takes an energy from a store, as far as it is there. @return what it took
+/// Takes energy from a store, limited to its content. @return the energy taken
 double take(double energy, double& store) {
   const double taken = std::min(energy, store);
   store -= taken;
@@ -125,7 +126,7 @@ void cutPower(Space& space, const std::vector<RobotInstance>& instances) {
       std::fill(leds.begin(), leds.end(), colors::kBlack);
     }
   }
-  // a safe stop ends with hovering when it has not reached the ground in its time
+  // a safe stop ends with hovering if the robot has not reached the ground in time
   for (const RobotInstance& instance : instances) {
     FlightCommand& flight = space.flight[instance.row];
     if (instance.source_when_charged && !instance.stops_since && flight.is_driven && !isCarried(space, instance.row)) {

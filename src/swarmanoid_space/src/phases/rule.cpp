@@ -1,4 +1,4 @@
-// Phase 8: rules look at the world, and ask for what is to change before the next tick.
+// Phase 8: rules read the world, and request changes before the next tick.
 #include "../assembly/call_rule.hpp"
 #include "phases.hpp"
 

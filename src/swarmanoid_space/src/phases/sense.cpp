@@ -1,4 +1,4 @@
-// Phase 1: banks of sensors read the space and fill the readings; errors act on them.
+// Phase 1: sensor banks read the space and fill in the readings, which are then disturbed by their errors.
 #include "phases.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 

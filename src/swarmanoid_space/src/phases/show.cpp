@@ -1,4 +1,4 @@
-// Phase 9: observers (displays, recorders, metrics) look at the space; is the run finished?
+// Phase 9: observers (displays, recorders, metrics) read the space, and may request the end of the run.
 #include "phases.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 

@@ -1,5 +1,5 @@
-// Part of phase 3: robots that are not commanded any more are stopped safely. Their commands take effect in this
-// tick, and may take some more.
+// Part of phase 3: robots without a commander are stopped safely. The commands of a safe stop take effect in this tick,
+// and may continue for some more.
 #include "phases.hpp"
 
 namespace swarmanoid::phases {

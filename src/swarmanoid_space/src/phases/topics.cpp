@@ -1,4 +1,4 @@
-// Part of phase 2: what has come over topics becomes commands; a robot that gets none for too long stops.
+// Part of phase 2: commands received over topics are applied; a robot that receives none within its timeout stops.
 #include "phases.hpp"
 #include "swarmanoid_interface/command_mailbox.hpp"
 #include "swarmanoid_interface/device_type.hpp"
@@ -17,7 +17,7 @@ void report(std::vector<Event>& events, const RobotInstance& instance, LogLevel 
 /// @return whether there was a command for the robot
 bool apply(const CommandMailbox::Commands& received, Banks& commands, const RobotInstance& instance) {
   bool has_applied = false;
-  VariableParts parts;  // actuators with spans would need a place that lasts; there are none
+  VariableParts parts;  // actuators with spans would need storage that outlives the call; there are none
   for (const auto& actuator : instance.group->actuators) {
     const auto command = received.find({instance.robot->name(), actuator->type()});
     if (command != received.end()) {

@@ -56,7 +56,7 @@ void EntitiesWithoutEngine::findObstacles(const RayBundle& rays, Obstacles& foun
 
 void EntitiesWithoutEngine::castRayAt(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const {
   const double fraction = closestHit(segment, *entities.model[row], entities.pose[row]);
-  // between surfaces at the same distance the older entity is hit, whatever the order of the look-up
+  // of two surfaces at the same distance the ray hits the older entity's, in any order of the look-up
   const bool is_older = hit.row != kNoRow && has(hit.row) && entities.number[row] < entities.number[hit.row];
   if (fraction < hit.fraction || (fraction == hit.fraction && is_older)) {
     hit = {fraction, row};

@@ -1,4 +1,4 @@
-/// The part of a line that is inside a solid, for rays and for what hides LEDs.
+/// The part of a line that is inside a solid, for rays and for the occlusion of LEDs.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace swarmanoid {
 
-/// Of all of the line, beyond both points too. @param half_extent as in CollisionShape
+/// Returns the part of the infinite line, not only of the segment. @param half_extent as in CollisionShape
 /// @param start, step in the shape's frame [m]
 inline LinePart insideOf(CollisionShape::Kind kind, const Eigen::Vector3d& half_extent, const Eigen::Vector3d& start,
                          const Eigen::Vector3d& step) {

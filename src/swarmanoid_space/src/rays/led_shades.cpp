@@ -9,16 +9,16 @@
 namespace swarmanoid {
 namespace {
 
-// A LED this near to where a shape ends counts as outside, on whichever side rounding puts it (fraction of the way).
+// A LED this close to the end of a shape counts as outside, whichever way rounding goes (fraction of the line).
 constexpr double kSameDepth = 1e-6;
 
-constexpr double kSure = 1e-9;  // as a fraction; far more than is rounded
+constexpr double kSure = 1e-9;  // fraction; far above rounding errors
 
-/// Whether a solid hides a LED. @param start, step in its frame
+/// Returns whether a solid hides a LED. @param start, step in the solid's frame
 bool isBehind(CollisionShape::Kind kind, const Eigen::Vector3d& half_extent, const Eigen::Vector3d& start,
               const Eigen::Vector3d& step) {
   const LinePart inside = insideOf(kind, half_extent, start, step);
-  // what goes on behind the LED is a hull around it, or does not stand before it
+  // a solid that continues behind the LED is a hull around it, or is not in front of it
   return !inside.isEmpty() && inside.to >= 0.0 && inside.to <= 1.0 + kSameDepth;
 }
 
@@ -46,18 +46,18 @@ LedShades::Lines LedShades::linesFrom(const Eyes& eyes) const {
           eyes.highest};
 }
 
-/// Whether all lines pass over or under a shape, however its joint has turned it: most shapes of a robot hide no LED.
+/// Returns whether all lines pass over or under a shape, for any joint angle: most shapes of a robot hide no LED.
 bool LedShades::isPassedBy(std::size_t number, const Lines& lines) const {
   const CollisionShape& shape = model_->shapes[number];
   if (shape.joint >= 0) {
     const EntityModel::Joint& joint = model_->joints[static_cast<std::size_t>(shape.joint)];
     if (joint.carrier >= 0 || joint.axis.x() != 0.0 || joint.axis.y() != 0.0) {
-      return false;  // it may lift the shape
+      return false;  // the joint may lift the shape
     }
   }
-  constexpr double kSlack = 1e-4;  // m: more than lines go on behind LEDs, and than rounding
+  constexpr double kSlack = 1e-4;  // m: above the lines' continuation behind LEDs, and above rounding errors
   const EntityModel::Silhouette& silhouette = model_->silhouettes[number];
-  // before this fraction of its way no line is as near to body z as the shape
+  // up to this fraction of its length no line is as close to body z as the shape
   const double fraction = std::max(0.0, (lines.way_in - silhouette.radius - kSlack) / (lines.length + kSlack));
   const double lowest =
       std::min(lines.lowest + fraction * (model_->led_bounds.lowest - lines.lowest), model_->led_bounds.lowest);
@@ -75,7 +75,7 @@ const LedShades::Shade& LedShades::shadeOf(std::size_t number) {
              shape.kind,     (shape.half_extent.array() - kLedHeight).max(0.5 * shape.half_extent.array()),
              shape.position, shape.orientation.conjugate().toRotationMatrix()};
     if (shape.kind == CollisionShape::Kind::kCylinder && shade.to_shape(2, 2) == 1.0) {
-      shade.to_shape.setIdentity();  // an upright cylinder is the same, however it is turned
+      shade.to_shape.setIdentity();  // an upright cylinder is invariant under turns about its axis
     }
     shade.is_aligned = shade.to_shape.isIdentity(0.0);
   }
@@ -96,14 +96,14 @@ LedShades::Steps LedShades::stepsTo(const LedSet& asked, const Shade& shade, con
   return steps;
 }
 
-/// From where each line is nearest to the axis: no quotient, no square root. Not sure where rounding could decide, and
-/// where the line ends or comes nearest in a face.
+/// Decides by the point of each line that is closest to the axis, without a quotient or square root. Not sure where
+/// rounding could decide, and where the line ends, or is closest to the axis, in an end face.
 LedShades::Sure LedShades::behindCylinder(const Shade& shade, const Eigen::Vector3d& start, const Steps& steps) {
   const double squared_radius = shade.half_extent.x() * shade.half_extent.x();
-  // above 0 where it is sure
+  // positive where the result is sure
   Column hidden;
   Column free;
-  for (std::size_t i = 0; i < steps.count; ++i) {  // without branches: compilers make it one over several LEDs
+  for (std::size_t i = 0; i < steps.count; ++i) {  // without branches, so that compilers vectorise it
     const double x = steps.x[i];
     const double y = steps.y[i];
     const double a = x * x + y * y;
@@ -113,7 +113,7 @@ LedShades::Sure LedShades::behindCylinder(const Shade& shade, const Eigen::Vecto
     const double outside = led_x * led_x + led_y * led_y - squared_radius * (1.0 + kSure);
     const double across = start.x() * y - start.y() * x;
     const double squared_across = across * across;
-    const double after = -kSure * a - (a + b);  // it goes nearer to the axis beyond the LED only
+    const double after = -kSure * a - (a + b);  // positive: the line approaches the axis only beyond the LED
     const double beside = squared_across - squared_radius * a * (1.0 + kSure);
     free[i] = least(outside, most(after, beside));
     const double within = squared_radius * a * (1.0 - kSure) - squared_across;
@@ -130,14 +130,14 @@ LedShades::Sure LedShades::behindCylinder(const Shade& shade, const Eigen::Vecto
   return sure;
 }
 
-/// Seen from above, the places from which an upright cylinder hides a LED lie between the two lines through the LED
-/// that touch the cylinder, and behind it.
+/// Seen from above, the eyes for which an upright cylinder hides a LED are behind the cylinder, between the two
+/// tangents to it through the LED.
 LedShades::Sure LedShades::behindCylinderForAll(const Shade& shade, const Eyes& eyes) const {
   Sure sure;
   if (shade.to_shape(2, 2) != 1.0) {
     return sure;
   }
-  constexpr double kMargin = 1e-6;  // m: far more than is rounded, and than lines go on behind LEDs
+  constexpr double kMargin = 1e-6;  // m: far above rounding errors, and above the lines' continuation behind LEDs
   const double far = eyes.radius + kMargin;
   const double cylinder = shade.half_extent.x();
   const double low = shade.position.z() - shade.half_extent.z() + kMargin;
@@ -154,10 +154,10 @@ LedShades::Sure LedShades::behindCylinderForAll(const Shade& shade, const Eyes& 
     const Eigen::Vector2d to_eyes = eyes.axis - shade.position.head<2>() - led;
     const double ahead = inwards.dot(to_eyes);
     const double aside = std::abs(inwards.x() * to_eyes.y() - inwards.y() * to_eyes.x());
-    const double sine = cylinder / way;  // of the angle between `inwards` and the lines
+    const double sine = cylinder / way;  // of the angle between `inwards` and the tangents
     const double cosine = std::sqrt(1.0 - sine * sine);
-    const double inside = ahead * sine - aside * cosine;  // how far from the nearer line
-    const bool is_beyond = ahead > way + far;             // the cylinder's axis is passed on the way
+    const double inside = ahead * sine - aside * cosine;  // distance from the closer tangent
+    const bool is_beyond = ahead > way + far;             // the line passes the cylinder's axis
     const bool is_hidden = is_level && inside > far && is_beyond && height > low && height < high;
     sure.hidden |= static_cast<std::uint64_t>(is_hidden) << k;
     sure.free |= static_cast<std::uint64_t>(inside < -far) << k;
@@ -165,16 +165,16 @@ LedShades::Sure LedShades::behindCylinderForAll(const Shade& shade, const Eyes& 
   return sure;
 }
 
-/// The lines that pass beside the sphere around a shape, or end before it.
+/// Finds the lines that pass beside the sphere around a shape, or end before it.
 LedShades::Sure LedShades::besideSphere(const Shade& shade, const Eigen::Vector3d& start, const Steps& steps) const {
   const double radius = shade.kind == CollisionShape::Kind::kSphere ? shade.half_extent.x() : shade.half_extent.norm();
-  // lines go on a little behind LEDs
+  // lines continue a little behind LEDs
   const double farthest_led =
       model_->led_bounds.radius + std::max(std::abs(model_->led_bounds.lowest), std::abs(model_->led_bounds.highest));
   const double way = start.norm() + shade.position.norm() + farthest_led;
   const double reach = radius + 2.0 * kSameDepth * (way + radius);
   const double squared_reach = reach * reach;
-  Column free;  // above 0 where it is sure
+  Column free;  // positive where the result is sure
   for (std::size_t i = 0; i < steps.count; ++i) {
     const double x = steps.x[i];
     const double y = steps.y[i];

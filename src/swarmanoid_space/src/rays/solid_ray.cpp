@@ -8,7 +8,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Most solids stand in their entity's frame as in their own.
+/// Rotates a vector; the usual case of a solid that is not rotated in its entity's frame is fast.
 Eigen::Vector3d rotated(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& vector) {
   return rotation.vec().isZero(0.0) ? vector : rotation * vector;
 }

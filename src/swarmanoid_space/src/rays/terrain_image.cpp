@@ -1,4 +1,4 @@
-// From a grey image to a terrain.
+// Reads a terrain from a grey image.
 #include "../images/read_png.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 

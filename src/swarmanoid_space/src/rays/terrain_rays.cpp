@@ -18,19 +18,19 @@ LinePart clipToRectangle(const Segment& segment, const Eigen::AlignedBox3d& boun
   return part;
 }
 
-/// The fraction at which a coordinate reaches a line of the grid.
+/// Fraction of the segment at which a coordinate reaches a line of the grid.
 double reaching(double line, double start, double way) { return way == 0.0 ? kInfinity : (line - start) / way; }
 
 }  // namespace
 
-/// Goes along a segment, and notes where it first comes from above the ground to below.
+/// Follows a segment, and finds the first point where it enters the ground from above.
 class Terrain::Descent {
  public:
   Descent(const Terrain& terrain, const Segment& segment, double start)
       : terrain_(terrain),
         from_(segment.from),
         way_(segment.to - segment.from),
-        // a ray from outside comes through the air; one that starts in the ground does not
+        // a ray from outside arrives through the air; one that starts in the ground does not
         is_above_(start > 0.0 || from_.z() >= terrain.heightAt(from_.x(), from_.y())) {}
 
   bool hasHit() const { return hit_ != kInfinity; }
@@ -39,7 +39,7 @@ class Terrain::Descent {
 
   void passCell(const Eigen::Vector2i& cell, LinePart piece) {
     const Eigen::Vector2d& step = terrain_.step_;
-    // on which side of the cell's diagonal it begins, and where it crosses that
+    // side of the cell's diagonal on which the segment starts, and the fraction at which it crosses the diagonal
     const double side =
         (from_.x() - terrain_.lineX(cell.x())) * step.y() - (from_.y() - terrain_.lineY(cell.y())) * step.x();
     const double change = way_.x() * step.y() - way_.y() * step.x();
@@ -87,7 +87,7 @@ double Terrain::closestHit(const Segment& segment) const {
     return kInfinity;
   }
   if (inside.from > 0.0 && heightOf(inside.from) < 0.0) {
-    return inside.from;  // it comes through the floor
+    return inside.from;  // the segment enters through the floor
   }
   const Eigen::Vector3d first = segment.from + inside.from * way;
   Eigen::Vector2i cell = cellAt(first.x(), first.y());
@@ -108,7 +108,7 @@ double Terrain::closestHit(const Segment& segment) const {
     }
     from = to;
   }
-  // beside a rim that is lower there is the floor
+  // next to a rim below the floor the segment meets the floor
   return inside.to < 1.0 && descent.isAbove() && heightOf(inside.to) < 0.0 ? inside.to : kInfinity;
 }
 

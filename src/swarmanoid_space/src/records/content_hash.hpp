@@ -1,4 +1,4 @@
-/// Hashes of files in records, and reading them.
+/// Hashes of files in records, and their text.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,11 @@
 
 namespace swarmanoid::records {
 
-/// XXH3 of the bytes.
+/// Returns XXH3 of the bytes.
 std::uint64_t contentHash(const std::string& content);
 
-/// Of what hashText has written; those of state hashes too. @return nothing if these are not 16 digits
+/// Reads a hash, including state hashes, that hashText has written. @return nothing unless the text is 16 hexadecimal
+/// digits
 std::optional<std::uint64_t> parseHash(const std::string& text);
 
 }  // namespace swarmanoid::records

@@ -18,7 +18,7 @@ using experiment::XmlElement;
 
 constexpr const char* kFormat = "1";
 
-/// Numbers of any 64 bits, which seeds may have.
+/// Reads a number of up to 64 bits, such as a seed.
 std::uint64_t countOf(const XmlElement& element, const char* name) {
   const std::string text = element.requireAttribute(name);
   const bool is_whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
@@ -27,7 +27,7 @@ std::uint64_t countOf(const XmlElement& element, const char* name) {
       return std::stoull(text);
     }
   } catch (const std::out_of_range&) {
-    // as a text that is no number
+    // too large: refused below like a text that is not a number
   }
   throw ConfigError(element.attributeLocation(name), std::string(name) + ": found '" + text +
                                                          "', allowed: a whole number from 0 to 18446744073709551615");
@@ -46,7 +46,7 @@ std::uint64_t hashOf(const XmlElement& element) {
   throw ConfigError(element.attributeLocation("hash"), "hash: found '" + text + "', allowed: 16 hexadecimal digits");
 }
 
-/// Opening a pipe would wait for whoever writes to it.
+/// Refuses pipes and devices: opening a pipe would block until a writer opens it.
 void refuseSpecialFile(const std::string& file) {
   std::error_code ignored;
   if (fs::is_other(fs::status(file, ignored))) {
@@ -54,7 +54,7 @@ void refuseSpecialFile(const std::string& file) {
   }
 }
 
-/// @throws ConfigError if the file is not there, or is another one
+/// @throws ConfigError if the file does not exist, or has another hash
 void checkFile(const XmlElement& element, const std::string& folder) {
   element.allowAttributes({"name", "hash"});
   const std::string name = element.requireAttribute("name");
@@ -115,7 +115,7 @@ RunRecord parseRecord(const std::string& text, const std::string& file, const st
   return record;
 }
 
-/// One line of the file of hashes. @throws ConfigError
+/// Reads one line of the file of hashes. @throws ConfigError
 RecordedHash parseHashLine(const std::string& line, const SourceLocation& location) {
   const std::size_t space = line.find(' ');
   const std::string tick = line.substr(0, space);
@@ -127,7 +127,7 @@ RecordedHash parseHashLine(const std::string& line, const SourceLocation& locati
   return {std::stoull(tick), *hash};
 }
 
-/// Reads whole lines. @param rest gets what stands behind the last one
+/// Reads whole lines. @param rest gets the text after the last one
 std::vector<RecordedHash> parseHashes(const std::string& text, const std::string& file, std::uint64_t every,
                                       std::string& rest) {
   std::vector<RecordedHash> hashes;
@@ -152,7 +152,7 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// The text with the end that a run which was killed has not written. @return whether that was missing
+/// Appends the end that a killed run has not written. @return whether it was missing
 bool completeInterventions(std::string& text, const RunRecord& record) {
   const std::string end = interventionsEnd();
   if (endsWith(text, end)) {
@@ -162,7 +162,8 @@ bool completeInterventions(std::string& text, const RunRecord& record) {
   return true;
 }
 
-/// Robots may be commanded so from a tick on, whatever the experiment says.
+/// Returns the robot that the intervention puts under the command of other processes, which may differ from the
+/// experiment; null if there is none.
 const std::string* commandedByOthers(const Intervention& intervention) {
   if (const auto* change = std::get_if<SetCommandSource>(&intervention)) {
     return isOfOthers(change->source) ? &change->robot : nullptr;

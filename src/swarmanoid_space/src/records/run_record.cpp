@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of libraries as the experiment has them.
+/// Returns the names of libraries in the experiment.
 std::set<std::string> namedLibraries(const Experiment& experiment) {
   std::set<std::string> names;
   for (const ControllerDescription& controller : experiment.controllers) {
@@ -39,7 +39,7 @@ std::set<std::string> namedLibraries(const Experiment& experiment) {
   return names;
 }
 
-/// The files of all libraries that are loaded, by their names without folders.
+/// Returns the files of all loaded libraries, by their names without folders.
 std::map<std::string, std::string> loadedLibraries() {
   std::map<std::string, std::string> files;
   const auto add = [](dl_phdr_info* info, std::size_t, void* all) {
@@ -53,7 +53,7 @@ std::map<std::string, std::string> loadedLibraries() {
 
 std::vector<RecordedLibrary> librariesOf(const Experiment& experiment) {
   const std::map<std::string, std::string> loaded = loadedLibraries();
-  std::map<std::string, std::uint64_t> hashes;  // two names may mean one library
+  std::map<std::string, std::uint64_t> hashes;  // by file, because two names may refer to one library
   for (const std::string& name : namedLibraries(experiment)) {
     const fs::path path(name);
     const auto found = loaded.find(path.extension() == ".so" ? path.filename().string() : "lib" + name + ".so");
@@ -68,7 +68,8 @@ std::vector<RecordedLibrary> librariesOf(const Experiment& experiment) {
   return libraries;
 }
 
-/// In the order of the experiment's files, without its own: one that is named twice has the same name twice.
+/// Returns new names in the order of the experiment's files, without the experiment file itself. A file that is listed
+/// twice gets the same name twice.
 std::vector<std::string> newNames(const Experiment& experiment) {
   std::vector<std::string> names;
   for (std::size_t i = 1; i < experiment.files.size(); ++i) {

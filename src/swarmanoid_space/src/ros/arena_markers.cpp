@@ -1,4 +1,4 @@
-// What is sent once: the part of a space that does not move, and the bodies that tf moves.
+// Markers that are sent once: the fixed part of a space, and the bodies that tf moves.
 #include "marker.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
@@ -9,7 +9,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// The parts of a rectangle that another one leaves free.
+/// Returns the parts of a rectangle that another one does not cover.
 std::vector<Eigen::AlignedBox2d> around(const Eigen::AlignedBox2d& whole, const Eigen::AlignedBox2d& hole) {
   const Eigen::AlignedBox2d cut = whole.intersection(hole);
   if (cut.isEmpty()) {
@@ -32,7 +32,7 @@ std::vector<Eigen::AlignedBox2d> around(const Eigen::AlignedBox2d& whole, const 
 
 void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
   constexpr double kThickness = 0.01;
-  constexpr double kBelowPatches = 0.002;  // apart enough not to flicker in rviz
+  constexpr double kBelowPatches = 0.002;  // [m]; enough distance to avoid flicker in rviz
   const Eigen::AlignedBox2d whole(Eigen::Vector2d(space.corner.head<2>()),
                                   Eigen::Vector2d(space.farCorner().head<2>()));
   std::vector<Eigen::AlignedBox2d> parts{whole};
@@ -79,7 +79,7 @@ void drawEntity(const Space& space, Row row, const std_msgs::Header& header, int
       marker.color.a = kTranslucent;
     }
     if (is_boundary) {
-      // the arena's own walls would hide what happens behind them: only their foot is drawn
+      // full walls of the arena would hide the events behind them: only their foot is drawn
       constexpr double kHeight = 0.1;
       marker.scale.z = kHeight;
       marker.pose.position.z = 0.5 * kHeight;

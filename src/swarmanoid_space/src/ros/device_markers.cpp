@@ -1,4 +1,4 @@
-// What devices do, as one list of lines and one of points for each type: rviz shows and hides them by their names.
+// Drawings of devices, as one list of lines and one of points for each type: rviz shows and hides them by their names.
 #include <utility>
 
 #include "marker.hpp"
@@ -13,7 +13,7 @@ using visualization_msgs::Marker;
 constexpr int kLines = 0;  // ids
 constexpr int kPoints = 1;
 
-/// A list without points and colours, whose room is kept.
+/// Clears the points and colours of a list, keeping their memory.
 void beginList(const std_msgs::Header& header, const std::string& type, int id, Marker& marker) {
   constexpr double kWidth = 0.005;  // of lines, m
   constexpr double kSide = 0.025;   // of points, m

@@ -1,4 +1,4 @@
-// What engines see, as one list of lines for each engine and kind.
+// Drawings of engines, as one list of lines for each engine and kind.
 #include "marker.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"

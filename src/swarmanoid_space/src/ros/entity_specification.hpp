@@ -1,4 +1,4 @@
-/// Entities asked for by message.
+/// Converts entities requested by a message.
 #pragma once
 
 #include <swarmanoid_msgs/EntitySpecification.h>
@@ -7,8 +7,8 @@
 
 namespace swarmanoid {
 
-/// Only translates: the space checks what comes in (Simulation::spawn).
-/// @throws std::exception for another frame, or a colour that is none
+/// Converts without validation, which is the task of the space (Simulation::spawn).
+/// @throws std::exception for another frame, or an invalid colour
 EntityDescription toDescription(const swarmanoid_msgs::EntitySpecification& specification);
 
 }  // namespace swarmanoid

@@ -11,7 +11,7 @@
 namespace swarmanoid {
 namespace {
 
-/// A device without a descriptor has no numbers that anybody could name.
+/// Adds the devices that have a descriptor; the numbers of others have no names.
 void addDevices(const Banks& banks, Row row, std::vector<swarmanoid_msgs::DeviceStatus>& devices) {
   banks.visit(row, [&](const std::string& type, const void* device) {
     if (const DeviceType* described = findDeviceType(type)) {
@@ -20,7 +20,7 @@ void addDevices(const Banks& banks, Row row, std::vector<swarmanoid_msgs::Device
   });
 }
 
-/// Those of robots that had the name before stand there too, further ahead.
+/// Returns the last failure under this name. Earlier entries may be of former robots with the same name.
 std::string lastFailureOf(const Simulation& simulation, const std::string& robot) {
   const auto& failures = simulation.failures();
   const auto found = std::find_if(failures.rbegin(), failures.rend(),

@@ -1,4 +1,4 @@
-/// One entity as a message, with all that its devices say: the answer of the service `inspect`.
+/// One entity as a message, with all values of its devices: the answer of the service `inspect`.
 #pragma once
 
 #include <swarmanoid_msgs/Inspect.h>
@@ -7,8 +7,9 @@
 
 namespace swarmanoid {
 
-/// Fills what the answer says of the run's clock and, if one was asked for, of the entity.
-/// @throws ConfigError if there is no such entity; std::runtime_error if the place is none. The clock is filled then
+/// Fills in the run's clock and, if the request asks for one, the entity.
+/// @throws ConfigError if there is no such entity, std::runtime_error if the requested place is invalid; in both cases
+/// the clock is filled in
 void inspect(const Simulation& simulation, const swarmanoid_msgs::Inspect::Request& request,
              swarmanoid_msgs::Inspect::Response& answer);
 

@@ -1,5 +1,5 @@
-// What lies on the floor: an image, patches, holes, paint. Each lies a little higher than what it covers, so that
-// nothing flickers in rviz.
+// Markers of the floor: an image, patches, holes, paint. Each is a little higher than the one that it covers, to avoid
+// flicker in rviz.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,12 +46,12 @@ void addHoles(const Space& space, const std_msgs::Header& header, MarkerArray& m
   }
 }
 
-/// The mean colour of a rectangle of pixels, by the columns and rows before and after it.
+/// A rectangle of pixels; the ends are exclusive.
 struct Block {
   int first_column, end_column, first_row, end_row;
 };
 
-/// @return false if most of it is transparent
+/// Mean colour of a block. @return false if most of it is transparent
 bool meanColor(const FloorImage& image, const Block& block, std_msgs::ColorRGBA& mean) {
   std::array<int, 3> sum{};
   int count = 0;
@@ -75,7 +75,7 @@ bool meanColor(const FloorImage& image, const Block& block, std_msgs::ColorRGBA&
   return true;
 }
 
-/// Of at most kMost x kMost squares, however many pixels the image has.
+/// Marker of at most kMost x kMost squares, for any number of pixels.
 Marker imageMarker(const FloorImage& image, const std_msgs::Header& header) {
   constexpr int kMost = 128;
   const int step = (std::max(image.columns, image.rows) + kMost - 1) / kMost;
@@ -84,7 +84,7 @@ Marker imageMarker(const FloorImage& image, const std_msgs::Header& header) {
                              {step * pixel.x(), step * pixel.y(), kThickness}, rgba(1.0F, 1.0F, 1.0F, 1.0F));
   for (int row = 0; row < image.rows; row += step) {
     for (int column = 0; column < image.columns; column += step) {
-      // all squares are of one size: those at the right and lower edge are moved inwards
+      // all squares have one size: those at the right and lower edge are moved inwards
       const Block block{std::max(0, std::min(column, image.columns - step)), std::min(column + step, image.columns),
                         std::max(0, std::min(row, image.rows - step)), std::min(row + step, image.rows)};
       std_msgs::ColorRGBA mean;

@@ -1,4 +1,4 @@
-// Lines on the floor, as long and as wide as it: rviz's own grid is always square.
+// Grid lines with the length and width of the floor: rviz's own grid is always square.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace swarmanoid {
 namespace {
 
-/// The smallest of 0.1, 0.2, 0.5, 1, 2, 5, ... that divides a side into few enough cells [m].
+/// Returns the smallest of 0.1, 0.2, 0.5, 1, 2, 5, ... that divides a side into few enough cells [m].
 double cellLength(double side) {
   constexpr double kMostCells = 13.0;
   for (double decade = 0.1;; decade *= 10.0) {
@@ -24,8 +24,8 @@ double cellLength(double side) {
 
 visualization_msgs::Marker gridMarker(const std_msgs::Header& header, const Eigen::Vector2d& size,
                                       const std::vector<Eigen::AlignedBox2d>& parts) {
-  constexpr double kWidth = 0.0015;  // of lines, by the longer side: they are to be seen when all of it is
-  constexpr double kHeight = 0.002;  // m; above patches, not to flicker in rviz
+  constexpr double kWidth = 0.0015;  // of lines, as a fraction of the longer side: visible when the whole floor is
+  constexpr double kHeight = 0.002;  // m; above patches, to avoid flicker in rviz
   const double side = size.maxCoeff();
   const double cell = cellLength(side);
   visualization_msgs::Marker grid = makeMarker(header, "grid", 0, visualization_msgs::Marker::LINE_LIST,

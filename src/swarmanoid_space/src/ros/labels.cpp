@@ -1,4 +1,4 @@
-// Names and states of robots, as text above them that meets neither other text nor other robots.
+// Names and states of robots, as text above them that overlaps neither other text nor other robots.
 #include <algorithm>
 #include <cmath>
 
@@ -11,13 +11,13 @@ namespace {
 using Eigen::Vector3d;
 using visualization_msgs::Marker;
 
-/// Room is shared out in the picture of a camera that looks from the south and down by kPitch, as that of view.py does
-/// at first; from elsewhere texts may meet.
+/// Overlaps are avoided in the picture of a camera that looks from the south and down by kPitch, the initial view of
+/// view.py; in other views texts may overlap.
 constexpr double kPitch = 0.85;  // rad
 Vector3d upInPicture() { return {0.0, std::sin(kPitch), std::cos(kPitch)}; }
 Vector3d towardsCamera() { return {0.0, -std::cos(kPitch), std::sin(kPitch)}; }
 
-constexpr double kAntenna = 0.2;  // m; antennas rise so far above the shapes at the most
+constexpr double kAntenna = 0.2;  // m; maximum height of antennas above the shapes
 
 /// Part of the picture [m]: x to the right, y up.
 using Area = Eigen::AlignedBox2d;
@@ -33,25 +33,26 @@ bool overlap(const Area& a, const Area& b) {
   return (a.min().array() + kTouching < b.max().array()).all() && (b.min().array() + kTouching < a.max().array()).all();
 }
 
-/// What one robot has above it.
+/// The label of one robot.
 struct Label {
   Marker marker;
-  Vector3d place;   // where it is when nothing is in its way: the middle of the text
+  Vector3d place;   // middle of the text when the place is free
   Vector3d anchor;  // the robot's top
   double width = 0.0;
   double height = 0.0;
 };
 
-/// Arenas are seen as a whole, and large ones from far away: text is as high as a part of the picture of the arena.
+/// Returns the text height [m], a fixed fraction of the arena's size in the picture, because users look at the whole
+/// arena.
 double textHeight(const Space& space) {
   const Vector3d up = upInPicture();
   constexpr double kPart = 0.032;
-  constexpr double kAspect = 1.5;  // of the picture: a wide arena is not seen from as far away as a deep one
+  constexpr double kAspect = 1.5;  // of the picture: the camera is closer to a wide arena than to a deep one
   const double height = std::min(space.farCorner().z(), space.size.head<2>().maxCoeff());
   return kPart * std::max(space.size.x() / kAspect, up.y() * space.size.y() + up.z() * height);
 }
 
-/// Up to the tips of antennas.
+/// Returns the area of a robot, up to the tips of its antennas.
 Area bodyArea(const EntityModel& model, const Pose& pose) {
   const double radius = model.shapes.empty() ? 0.1 : model.shapes.front().half_extent.head<2>().maxCoeff();
   Area area =
@@ -62,8 +63,8 @@ Area bodyArea(const EntityModel& model, const Pose& pose) {
 }
 
 Label labelOf(const Space& space, Row row, const std_msgs::Header& header) {
-  constexpr double kLine = 1.15;      // a line's height by that of the text
-  constexpr double kCharacter = 0.5;  // a character's width likewise, at the most on average
+  constexpr double kLine = 1.15;      // height of a line, as a multiple of the text height
+  constexpr double kCharacter = 0.5;  // upper bound of the mean width of characters, same unit
   const double text_height = textHeight(space);
   Label label;
   label.marker = makeMarker(header, "labels", static_cast<int>(space.entities.number[row]), Marker::TEXT_VIEW_FACING,
@@ -88,9 +89,9 @@ Label labelOf(const Space& space, Row row, const std_msgs::Header& header) {
   return label;
 }
 
-/// The lowest place at or above this one where the label meets nothing that is in its way.
+/// Returns the lowest place at or above this one where the label does not overlap any taken area.
 Vector3d freePlaceAbove(Vector3d place, const Label& label, const std::vector<Area>& taken) {
-  // whatever was risen above is never in the way again
+  // areas below the label cannot overlap it again
   for (std::size_t tries = taken.size(); tries > 0; --tries) {
     const Area area = areaAround(place, label.width, label.height);
     const auto other = std::find_if(taken.begin(), taken.end(), [&](const Area& one) { return overlap(area, one); });
@@ -102,7 +103,7 @@ Vector3d freePlaceAbove(Vector3d place, const Label& label, const std::vector<Ar
   return place;
 }
 
-/// Whether something that does not move stands between the camera and this place.
+/// Returns whether a fixed entity hides this place from the camera.
 bool isHidden(const Space& space, const Vector3d& place) {
   for (const Row row : space.entities.order) {
     if (space.entities.model[row]->is_movable || isBoundary(space, row)) {
@@ -110,8 +111,7 @@ bool isHidden(const Space& space, const Vector3d& place) {
     }
     const Pose& pose = space.entities.pose[row];
     for (const CollisionShape& shape : space.entities.model[row]->shapes) {
-      // the ray towards the camera is between the shape's two faces across each of its axes from one distance to
-      // another
+      // for each axis of the shape the ray towards the camera is between the two faces over an interval of distances
       const Eigen::Quaterniond turn = (pose.orientation * shape.orientation).conjugate();
       const Vector3d from = turn * (place - pose.position - pose.orientation * shape.position);
       const Eigen::Array3d direction = turn * towardsCamera();
@@ -125,8 +125,8 @@ bool isHidden(const Space& space, const Vector3d& place) {
   return false;
 }
 
-/// The nearest of the free places above the label's own, and above those to its left and right: one above the other,
-/// the labels of a crowd would leave the picture. No label leaves the arena aside.
+/// Returns the best of the free places above the label's own place and above the places to its left and right: if all
+/// labels rose, those of a crowd would leave the picture. No label leaves the arena sideways.
 Vector3d freePlace(const Space& space, const Label& label, const std::vector<Area>& taken) {
   const auto badness = [&](const Vector3d& place) {
     constexpr double kHidden = 1e3;  // m
@@ -137,7 +137,7 @@ Vector3d freePlace(const Space& space, const Label& label, const std::vector<Are
     }
     return sum;
   };
-  constexpr double kBetter = 0.01;  // m; places as good as each other would take turns by errors of rounding
+  constexpr double kBetter = 0.01;  // m; minimum gain, so that rounding does not alternate between equally good places
   Vector3d best = freePlaceAbove(label.place, label, taken);
   double least = badness(best);
   for (const double column : {-0.5, 0.5, -1.0, 1.0}) {
@@ -164,11 +164,11 @@ void addLabels(const Space& space, const std_msgs::Header& header, visualization
       labels.push_back(labelOf(space, row, header));
     }
   }
-  // from below: who has to give way rises above those that are in their own place
+  // from bottom to top: labels that are moved rise above those in their own place
   std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
     return upInPicture().dot(a.place) < upInPicture().dot(b.place);
   });
-  constexpr double kLineWidth = 0.06;  // by the height of text
+  constexpr double kLineWidth = 0.06;  // as a fraction of the text height
   Marker lines = makeMarker(header, "label_lines", 0, Marker::LINE_LIST, {kLineWidth * textHeight(space), 0.0, 0.0},
                             rgba(0.05F, 0.07F, 0.1F, 0.5F));
   for (Label& label : labels) {

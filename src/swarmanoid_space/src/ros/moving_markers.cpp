@@ -1,4 +1,4 @@
-// The part of a space that moves, shines or holds on to something.
+// Markers of the part of a space that moves, shines or holds on to something.
 #include <map>
 
 #include "marker.hpp"
@@ -11,7 +11,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// What one drawing has to do with.
+/// State of one drawing.
 struct Canvas {
   const Space& space;
   std_msgs::Header header;
@@ -20,7 +20,7 @@ struct Canvas {
 
   const Pose& poseOf(Row row) const { return space.entities.pose[row]; }
   const EntityModel& modelOf(Row row) const { return *space.entities.model[row]; }
-  /// rviz warns of lists without points.
+  /// Adds a list unless it is empty: rviz warns of lists without points.
   void addList(Marker list) const {
     if (!list.points.empty()) {
       array.markers.push_back(std::move(list));
@@ -113,7 +113,7 @@ void drawGrips(const Canvas& canvas) {
     if (gripped == kNoRow) {
       continue;
     }
-    // above both, where neither hides it
+    // above both bodies, so that neither hides the line
     const auto top = [&](Row of) {
       return toMessage(canvas.poseOf(of).toWorld({0.0, 0.0, canvas.modelOf(of).highest + 0.02}));
     };

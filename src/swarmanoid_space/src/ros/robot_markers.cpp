@@ -1,4 +1,4 @@
-// Robots' bodies from their URDF. They move with their frames, so they are sent only once.
+// Bodies of robots from their URDF. They move with their frames, so they are sent only once.
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -15,7 +15,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// @return false for what the markers have no shape for
+/// @return false if no marker has this shape
 bool setShape(const urdf::Geometry& geometry, Marker& marker) {
   switch (geometry.type) {
     case urdf::Geometry::BOX: {
@@ -55,14 +55,14 @@ bool setShape(const urdf::Geometry& geometry, Marker& marker) {
   }
 }
 
-/// A marker and the link in whose frame it is; "": the body frame.
+/// A marker and the link of its frame; "": the body frame.
 struct Part {
   Marker marker;
   std::string link;
 };
 
-/// One for each visual element: what joints turn is in the frame of their link, the rest in the body frame. Names and
-/// ids are still to be given.
+/// Returns one part for each visual element, without name and id. Links that joints turn have their own frames, the
+/// others use the body frame.
 std::vector<Part> bodyOf(const EntityModel& model) {
   std::vector<Part> body;
   const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(model.urdf);
@@ -115,7 +115,7 @@ void addRobotBodies(const Space& space, MarkerArray& markers) {
       body->second = bodyOf(model);
     }
     for (const Part& part : body->second) {
-      // no stamp: wherever the frame is at the moment
+      // no stamp: the marker follows the frame's latest pose
       const std::string& name = space.entities.name[row];
       markers.markers.push_back(part.marker);
       markers.markers.back().header.frame_id = part.link.empty() ? frameOf(name) : frameOf(name, part.link);

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// From dark green at the bottom over ochre to nearly white on top. @param level 0 to 1
+/// Returns a colour from dark green at the bottom over ochre to nearly white at the top. @param level 0 to 1
 Vector3d colorOf(double level) {
   static const std::array<Vector3d, 4> colors{Vector3d(0.20, 0.32, 0.24), Vector3d(0.45, 0.55, 0.33),
                                               Vector3d(0.76, 0.66, 0.46), Vector3d(0.95, 0.94, 0.90)};
@@ -55,7 +55,7 @@ class TerrainDrawing {
   }
 
  private:
-  /// Of large terrains only some vertices are drawn: a message must not be too long for rviz.
+  /// Step between drawn vertices: large terrains are thinned out, because a message must not be too long for rviz.
   int stride() const {
     constexpr int kMostCells = 256;  // along a side
     return (std::max(terrain_.columns(), terrain_.rows()) - 2) / kMostCells + 1;
@@ -71,7 +71,7 @@ class TerrainDrawing {
     drawTriangle(foot_a, foot_b, b);
     drawTriangle(foot_a, b, a);
   }
-  /// Lit by a sun, since rviz does not shade lists; level ground has its colour as it is.
+  /// Adds a triangle, shaded as in sunlight, because rviz does not shade lists; level ground keeps its colour.
   void drawTriangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     static const Vector3d sun = Vector3d(-0.5, 0.35, 0.8);
     constexpr double kShade = 0.35;
@@ -90,7 +90,7 @@ class TerrainDrawing {
 
   const Terrain& terrain_;
   visualization_msgs::Marker& marker_;
-  std::vector<int> columns_;  // those that are drawn
+  std::vector<int> columns_;  // drawn ones
   std::vector<int> rows_;
 };
 

@@ -117,7 +117,7 @@ void Transforms::addOdometry(const Space& space, Row row) {
   const std::optional<ros::Time> stamp = sensedAt(space, row);
   const auto* odometry = space.readings.find<Odometry>(row);
   if (stamp && odometry != nullptr) {
-    // as base_link sees it: the inverse of where the robot believes to be
+    // expressed in base_link: the inverse of the pose that odometry estimates
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(-odometry->heading, Eigen::Vector3d::UnitZ()));
     const Eigen::Vector3d position = -(turn * Eigen::Vector3d(odometry->x, odometry->y, 0.0));
     const std::string& name = space.entities.name[row];

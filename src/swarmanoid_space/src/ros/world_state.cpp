@@ -18,7 +18,7 @@ geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
   return message;
 }
 
-/// A robot shows the mean of its lit LEDs, anything else its surface.
+/// Returns the mean colour of the lit LEDs of a robot, or the surface colour of any other entity.
 std_msgs::ColorRGBA colorOf(const Space& space, Row row) {
   const EntityModel& model = *space.entities.model[row];
   if (!model.is_robot) {
@@ -45,7 +45,7 @@ std_msgs::ColorRGBA colorOf(const Space& space, Row row) {
   return sum;
 }
 
-/// Whether something is seen in another colour.
+/// Returns whether the intervention changes visible colours.
 bool changesLooks(const TakenIntervention& taken) {
   const auto* change = std::get_if<SetProperty>(&taken.what);
   return change != nullptr && (change->property == kColorProperty || change->property == kIntensity);
@@ -150,7 +150,7 @@ void toMessage(const Space& space, swarmanoid_msgs::WorldState& message) {
 
 void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& message) {
   using Message = swarmanoid_msgs::Event;
-  // the numbers of the message are the enumerators' own
+  // the message's constants are the values of the enumerators
   static_assert(static_cast<int>(Event::Kind::kAttached) == Message::ATTACHED);
   static_assert(static_cast<int>(Event::Kind::kReleased) == Message::RELEASED);
   static_assert(static_cast<int>(Event::Kind::kControllerFailed) == Message::CONTROLLER_FAILED);

@@ -24,7 +24,7 @@ std::string withoutBlanks(std::string text) {
   return {first, text.end()};
 }
 
-/// The parts between commas.
+/// Returns the parts between commas.
 std::vector<std::string> partsOf(const std::string& line) {
   std::vector<std::string> parts(1);
   for (const char c : line) {
@@ -54,12 +54,12 @@ Sample sampleOf(const std::string& line, const SampleTable::Readings& readings, 
           parseNumber(parts[1], "angle", location, SampleTable::kAngles), readingOf(parts[2], readings, location)};
 }
 
-/// A sample, and where it stands.
+/// A sample and its line in the file.
 struct RecordedSample : Sample {
   int line = 0;
 };
 
-/// All samples of a file, in its order.
+/// Returns all samples of a file, in its order.
 std::vector<RecordedSample> samplesOf(const std::string& text, const std::string& file,
                                       const SampleTable::Readings& readings) {
   std::vector<RecordedSample> samples;
@@ -91,7 +91,7 @@ std::vector<RecordedSample> samplesOf(const std::string& text, const std::string
   return samples;
 }
 
-/// The distances, or the angles, of a table, rising.
+/// Returns the distances, or the angles, of a table in ascending order.
 template <class Samples>
 std::vector<double> axisOf(const Samples& samples, double Sample::*coordinate) {
   std::vector<double> values;
@@ -103,7 +103,7 @@ std::vector<double> axisOf(const Samples& samples, double Sample::*coordinate) {
   return values;
 }
 
-/// @param samples by distance and angle
+/// @param samples sorted by distance and angle
 /// @throws ConfigError if a distance lacks an angle, at the first line with the distance
 void requireAllEntries(const std::vector<RecordedSample>& samples, const std::string& file) {
   const std::vector<double> angles = axisOf(samples, &Sample::angle);

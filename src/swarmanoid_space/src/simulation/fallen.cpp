@@ -1,4 +1,5 @@
-// Who has fallen into a hole is taken out of the world in that tick: nobody sees, moves or commands it any more.
+// Removes entities that have fallen into a hole from the world, in the same tick: they are no longer visible, moved or
+// commanded.
 #include <algorithm>
 #include <cstddef>
 
@@ -23,7 +24,7 @@ void Simulation::takeOutFallen() {
                 spots.end());
     removeEntity(world, row);
   }
-  // what their controllers failed in belongs to this tick, which may be the last one
+  // failures of their controllers belong to this tick, which may be the last one
   const auto added = world.pending_events.begin() + pending;
   world.space.events.insert(world.space.events.end(), added, world.pending_events.end());
   world.pending_events.erase(added, world.pending_events.end());

@@ -47,7 +47,7 @@ std::vector<std::string> playingWarnings(const InterventionFile& file, AskedByRu
   const bool are_rules_played = asked_by_rules == AskedByRules::kPlayed;
   std::size_t late = 0;
   const RecordedIntervention* first_late = nullptr;
-  std::map<std::string, std::size_t> strange;  // by who asked for them
+  std::map<std::string, std::size_t> strange;  // by the rule that requested them
   for (const RecordedIntervention& recorded : file.interventions) {
     const std::string& asked_by = recorded.taken.asked_by;
     if (!asked_by.empty() && hasRule(experiment, asked_by) == are_rules_played) {
@@ -81,7 +81,8 @@ InterventionPlayer readPlayer(const std::string& file, const std::string& name, 
     warn(warning);
   }
   for (RecordedIntervention& recorded : interventions.interventions) {
-    // the run's own rule asks for its own: of these, whoever makes the run again must know that they came from outside
+    // the run's rule makes its own requests; the played ones count as requests from outside, so that the run can be
+    // repeated
     if (asked_by_rules == AskedByRules::kPlayed && hasRule(experiment, recorded.taken.asked_by)) {
       recorded.taken.asked_by.clear();
     }

@@ -1,4 +1,4 @@
-// The life of a run: built, started, ended, put back.
+// The life cycle of a run: build, start, end, reset.
 #include <algorithm>
 #include <exception>
 #include <stdexcept>
@@ -32,12 +32,12 @@ Simulation::~Simulation() {
   try {
     finish();
   } catch (...) {
-    // a recorder that cannot complete its file must not end the program; finish() called by hand reports it
+    // a recorder that cannot complete its file must not end the program; callers of finish() get the error
   }
   try {
     unbuild(*world_);
   } catch (...) {
-    // what a plugin throws when it is let go does no harm any more
+    // exceptions of plugins are harmless during destruction
   }
 }
 
@@ -58,7 +58,7 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   world.failures.clear();
   world.pending_events.clear();
   world.pending_interventions.clear();
-  unbuild(world);  // controllers that fail in destroy are failures and events of the run that begins
+  unbuild(world);  // failures of controllers in destroy belong to the new run, as failures and events
   logged_overflows_ = 0;
   finish_asked_ = false;
   finished_ = false;
@@ -67,7 +67,7 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
     world.space.time_before_reset = Duration::zero();
   } else {
     world.space.time_before_reset +=
-        world.space.time - kEpoch + world.space.clocktick;  // one more: no stamp is used twice
+        world.space.time - kEpoch + world.space.clocktick;  // one more tick, so that no stamp is used twice
   }
   if (seed) {
     world.space.seed = *seed;
@@ -102,7 +102,7 @@ bool Simulation::hasReachedEnd() const {
 
 namespace {
 
-/// One that cannot write its file must not keep the others from writing theirs.
+/// Calls all observers. One that cannot write its file must not keep the others from writing theirs.
 template <class Action>
 void callAll(std::vector<ObserverInstance>& observers, const char* phase, Action action) {
   std::exception_ptr first_problem;
@@ -127,13 +127,13 @@ void Simulation::flush() {
 
 void Simulation::finish() {
   finished_ = true;
-  // a run that has not begun has nothing to complete, and may not touch the files of an older one
+  // a run that has not begun has nothing to complete, and must not change the files of an older one
   if (!is_started_) {
     return;
   }
   callAll(world_->assembly.observers, "finish", [](ObserverInstance& observer) {
     if (!observer.is_finished && !observer.is_given_up) {
-      observer.is_finished = true;  // before the call: if that does not return, the others are still to be called
+      observer.is_finished = true;  // set before the call: if it does not return, the other observers are still called
       observer->finish();
     }
   });

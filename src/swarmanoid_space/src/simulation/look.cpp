@@ -1,4 +1,4 @@
-// What may be known of a running simulation, and what it takes beside interventions.
+// Read access to a running simulation, and changes other than interventions.
 #include <algorithm>
 
 #include "../world/engines.hpp"

@@ -1,4 +1,4 @@
-// Rules at the beginning of a run and of a tick. What they do in between is in phases/rule.cpp.
+// Rules at the beginning of a run and of a tick; phases/rule.cpp has the rest.
 #include "../assembly/call_rule.hpp"
 #include "../interventions/carry_out.hpp"
 #include "../world/world.hpp"
@@ -21,7 +21,7 @@ void Simulation::resetRules() {
 
 void Simulation::beginTick() {
   if (rules_have_begun_) {
-    return;  // an attempt at this tick was given up after this
+    return;  // already done in an attempt at this tick that was given up
   }
   World& world = *world_;
   playInterventions(false);
@@ -32,7 +32,7 @@ void Simulation::beginTick() {
     callRule("beforeTick", rule, world.space.tick, [&] { rule->beforeTick(world.space, world.queue); });
     takeAsked(world);
   }
-  switchPower();  // what comes after the rules, also in a tick that is made again, counts in the next one
+  switchPower();  // later changes of charge, also in a repeated tick, take effect in the next tick
   rules_have_begun_ = true;
   playInterventions(true);
 }

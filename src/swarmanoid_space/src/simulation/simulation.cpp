@@ -1,4 +1,4 @@
-// The tick, on one screen.
+// The tick: its phases in order.
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 #include <chrono>
@@ -76,7 +76,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   return true;
 }
 
-/// What has been done since the last tick is seen from now on.
+/// Makes the events and interventions since the last tick visible.
 void Simulation::showPending() {
   World& world = *world_;
   world.space.events.assign(world.pending_events.begin(), world.pending_events.end());
@@ -85,7 +85,8 @@ void Simulation::showPending() {
   world.pending_interventions.clear();
 }
 
-/// @return whether one asks for the end. One that fails ends the run; its tick is whole all the same, and is shown.
+/// @return whether a rule requests the end. A rule that fails ends the run; its tick is complete nevertheless, and is
+/// shown.
 bool Simulation::askRules() {
   World& world = *world_;
   try {
@@ -144,7 +145,7 @@ void Simulation::noteFailures() {
   }
 }
 
-/// Once a device: a crowded run would say little else.
+/// Logs each device once, because a crowded run would otherwise log little else.
 void Simulation::logNewOverflows() {
   const World& world = *world_;
   for (; logged_overflows_ < world.space.overflows.size(); ++logged_overflows_) {

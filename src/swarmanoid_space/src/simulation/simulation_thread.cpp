@@ -12,7 +12,7 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-/// @param let_go of what is waited for @return whether that can be
+/// @param let_go cancels the awaited job @return its result; let_go returns whether the caller may stop waiting
 /// @throws SimulationBusy
 template <class Result, class LetGo>
 Result waitUnlessLate(std::future<Result>& result, LetGo let_go) {
@@ -26,7 +26,7 @@ Result waitUnlessLate(std::future<Result>& result, LetGo let_go) {
   return result.get();
 }
 
-/// Users' code and observers may take long; whoever calls is answered meanwhile.
+/// Unlocks the mutex while users' code and observers run, which may take long, so that callers are answered meanwhile.
 class Unlocked {
  public:
   explicit Unlocked(std::unique_lock<std::mutex>& lock) : lock_(lock) { lock_.unlock(); }
@@ -79,7 +79,7 @@ void SimulationThread::enqueueAndWait(std::function<void()> action, JobKind kind
   waitUnlessLate(done, [&] { return letGo(number, kind); });
 }
 
-/// @return false: it has begun, and uses what belongs to whoever waits
+/// @return false if the job has begun and uses data of the waiting caller
 bool SimulationThread::letGo(std::uint64_t job, JobKind kind) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found =
@@ -171,11 +171,11 @@ double SimulationThread::realTimeFactor() const {
 void SimulationThread::setRealTimeFactor(double factor) {
   SWARMANOID_EXPECTS(factor >= 0.0);
   JobKind kind;
-  kind.is_change = false;  // of what is simulated
+  kind.is_change = false;  // the simulated state does not change
   const auto act = [&] {
     const std::lock_guard<std::mutex> lock(mutex_);
     options_.real_time_factor = factor;
-    next_tick_.reset();  // else what it was behind or ahead at the old pace is made good at the new one
+    next_tick_.reset();  // otherwise a lag or lead at the old pace would be made up at the new one
   };
   enqueueAndWait(act, kind);
 }
@@ -224,7 +224,7 @@ void SimulationThread::run() {
       }
     }
   } catch (...) {
-    if (!stop_reason_) {  // else stopped meanwhile, which may be why it threw
+    if (!stop_reason_) {  // otherwise the run was stopped meanwhile, which may have caused the exception
       stop_reason_ = "tick " + std::to_string(simulation_->space().tick) + ": " + describeException();
     }
   }
@@ -299,7 +299,7 @@ bool SimulationThread::waitUntilDue(std::unique_lock<std::mutex>& lock) {
   if (wake_.wait_until(lock, *next_tick_, isDisturbed)) {
     return false;
   }
-  // behind by more than this, the delay is accepted instead of made good in a rush
+  // a larger delay is accepted instead of made up by faster ticks
   constexpr auto kLargestDelay = std::chrono::milliseconds(250);
   if (Clock::now() - *next_tick_ > kLargestDelay) {
     next_tick_ = Clock::now();

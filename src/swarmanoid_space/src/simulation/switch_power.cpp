@@ -1,5 +1,5 @@
-// Robots whose battery is empty are off: nobody commands them until they hold enough. What rules and services have
-// given them counts at once.
+// Robots with an empty battery are switched off: they get no commands until their charge is sufficient. Charge from
+// rules and services counts at once.
 #include <exception>
 
 #include "../interventions/carry_out.hpp"
@@ -14,12 +14,12 @@ void switchOff(World& world, RobotInstance& robot) {
   robot.source_when_charged = source;
 }
 
-/// A robot that cannot go on has failed, and the run goes on without it.
+/// Switches a robot on. If it cannot continue it counts as failed, and the run goes on without it.
 void switchOn(World& world, RobotInstance& robot) {
   const CommandSource source = *robot.source_when_charged;
   robot.source_when_charged.reset();
   if (robot.has_failed) {
-    return;  // until a reset nobody commands it
+    return;  // not commanded until a reset
   }
   try {
     carryOut(world, SetCommandSource{robot.robot->name(), source});

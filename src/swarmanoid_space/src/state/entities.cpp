@@ -49,7 +49,7 @@ Row Entities::add(const std::string& entity_name, std::shared_ptr<const EntityMo
   pose[row] = entity_pose;
   color[row] = entity_color;
   first_color[row] = entity_color;
-  order.push_back(row);  // numbers only grow
+  order.push_back(row);  // entity numbers only grow
   row_by_name_[entity_name] = row;
   return row;
 }

@@ -16,7 +16,7 @@ void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, 
 }
 
 Eigen::Isometry3d displacementOf(const EntityModel& model, Span<const JointState> states, int joint) {
-  // from the link down to the body: each joint turns all that was gathered so far about its own place
+  // from the link down to the body: each joint turns the transform so far about its own place
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   while (joint >= 0) {
     const EntityModel::Joint& axis_joint = model.joints[static_cast<std::size_t>(joint)];

@@ -11,10 +11,10 @@
 namespace swarmanoid {
 namespace {
 
-constexpr double kInvisible = 1.0 / 512.0;  // half a step of a colour's 8 bits
-constexpr double kMostHalfLives = 64.0;     // after which nothing is left of a strength of 1
+constexpr double kInvisible = 1.0 / 512.0;  // half a step of an 8-bit colour
+constexpr double kMostHalfLives = 64.0;     // after this many a strength of 1 is 0
 
-/// The value of a colour's channel between two others.
+/// Interpolates the channel of a colour.
 std::uint8_t between(std::uint8_t from, std::uint8_t to, double part) {
   return static_cast<std::uint8_t>(std::lround(from + part * (to - from)));
 }
@@ -25,7 +25,7 @@ Color between(Color from, Color to, double part) {
 
 std::size_t cellsAlong(double length, double cell) { return static_cast<std::size_t>(std::ceil(length / cell)); }
 
-/// The cell of a coordinate that is in the arena, from the arena's corner.
+/// Returns the cell of a coordinate in the arena, measured from the arena's corner.
 std::size_t cellAt(double coordinate, double cell, std::size_t count) {
   return std::min(static_cast<std::size_t>(coordinate / cell), count - 1);
 }

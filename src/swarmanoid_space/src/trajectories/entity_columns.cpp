@@ -7,7 +7,7 @@ namespace swarmanoid::trajectories {
 void EntityColumns::follow(const Space& space, std::uint64_t row) {
   if (run_ != space.run) {
     run_ = space.run;
-    known_.clear();  // numbers begin anew
+    known_.clear();  // entity numbers start again
   }
   late_.clear();
   std::fill(rows_.begin(), rows_.end(), kNoRow);

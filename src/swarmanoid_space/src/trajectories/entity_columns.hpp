@@ -1,8 +1,8 @@
-/// Which entity has which column of the poses: those that engines may move have one from the beginning, the others from
-/// when somebody moves them.
+/// Assigns entities to columns of the poses: movable entities have a column from the beginning, others from the tick in
+/// which they are first moved.
 ///
-/// A column is for a name and a type: an entity that comes back, by a reset or spawned anew, has the one it had.
-/// Allocates nothing while nobody comes.
+/// A column belongs to a name and a type, so an entity that is added again by a reset or a spawn keeps its column.
+/// Allocates nothing while no entity is added.
 #pragma once
 
 #include <map>
@@ -21,19 +21,19 @@ class EntityColumns {
     std::string type;
     bool is_robot = false;
   };
-  /// One that stood still until now.
+  /// An entity that had not moved before this row.
   struct Late {
     std::size_t column = 0;
-    std::uint64_t first_row = 0;  ///< of the recording, since when it has been there
-    Pose pose;                    ///< where it stood
+    std::uint64_t first_row = 0;  ///< first row of the recording that has the entity
+    Pose pose;                    ///< its pose until now
   };
 
-  /// The state of one row. @param row of the recording that is to come
+  /// Updates the columns for the next row. @param row its number in the recording
   void follow(const Space& space, std::uint64_t row);
 
   const std::vector<Entity>& entities() const { return entities_; }  ///< by column
-  const std::vector<Row>& rows() const { return rows_; }             ///< by column; kNoRow: it is not there
-  const std::vector<Late>& late() const { return late_; }            ///< that have come in this row
+  const std::vector<Row>& rows() const { return rows_; }             ///< by column; kNoRow: the entity does not exist
+  const std::vector<Late>& late() const { return late_; }            ///< entities that get a column in this row
 
  private:
   struct Known {

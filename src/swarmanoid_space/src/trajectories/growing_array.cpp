@@ -43,7 +43,7 @@ GrowingArray::GrowingArray(hid_t file, const std::string& name, ElementType type
   check(H5Pset_fill_value(creation.get(), type_.id, type_.blank.data()), "choosing the blank");
   const Hdf5Id links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "making properties");
   check(H5Pset_create_intermediate_group(links.get(), 1), "making groups");
-  // a chunk in the library's cache would get to the file after the number of rows that says it is there
+  // without a chunk cache: with one, the library would write a chunk after the number of rows that includes it
   const Hdf5Id access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "making properties");
   check(H5Pset_chunk_cache(access.get(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT), "leaving out the cache");
   dataset_ = Hdf5Id(H5Dcreate2(file, name.c_str(), type_.id, space.get(), links.get(), creation.get(), access.get()),

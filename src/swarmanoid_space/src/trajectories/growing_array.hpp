@@ -1,9 +1,9 @@
-/// A dataset of an HDF5 file that grows by rows, such as one a tick.
+/// A dataset of an HDF5 file that grows by rows, such as one per tick.
 ///
-/// Shape   (rows, row shape). The first size of a row may grow too: where rows from before have nothing, there is the
-///         blank (hdf5.hpp).
-/// Buffer  rows are kept in memory until a chunk of the file is full, and written at `write`. In a steady tick nothing
-///         is allocated here.
+/// Shape   (rows, row shape). The first size of a row may grow too; the new elements of older rows have the blank value
+///         (hdf5.hpp).
+/// Buffer  rows are kept in memory until a chunk of the file is full, and written by `write`. A steady tick allocates
+///         nothing here.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@
 
 namespace swarmanoid::trajectories {
 
-/// The type of the elements: one of the library, the size of an element, and the blank of that size.
+/// Element type: its identifier in the library, and a blank value, whose size is that of an element.
 struct ElementType {
   hid_t id = -1;
   std::vector<std::byte> blank;
 };
 ElementType elementType(NumberType type);
 
-/// The sizes of an array, or a place in it.
+/// Sizes of an array, or a position in it.
 struct Sizes {
   std::array<hsize_t, 8> values{};
   std::size_t rank = 0;
@@ -36,21 +36,22 @@ struct Sizes {
 
 class GrowingArray {
  public:
-  /// @param name with the groups it is in, "readings/light/value"; those are made
-  /// @param row_shape of a row; empty: a row is one element @param widens whether its first size may grow
+  /// @param name with its groups, "readings/light/value", which are created
+  /// @param row_shape shape of a row; empty: a row is one element @param widens whether the first size of a row may
+  /// grow
   GrowingArray(hid_t file, const std::string& name, ElementType type, std::vector<hsize_t> row_shape,
                bool widens = false);
 
-  /// The memory of the next row, which is blank.
+  /// Returns the memory of the next row, filled with blanks.
   std::byte* next();
-  /// That row is complete.
+  /// Appends the row that next() returned.
   void append();
-  /// Rows have this first size from now on. Allocates. @pre not less than before
+  /// Sets the first size of rows from now on. Allocates. @pre not less than before
   void widen(hsize_t size);
-  /// Gives elements of rows that are appended already a value. @param index in the rows' first size
-  /// @param value of all that is behind that index
+  /// Sets elements of rows that are already appended. @param index in the rows' first size
+  /// @param value of all elements at that index
   void fillBack(hsize_t first_row, hsize_t index, const std::byte* value);
-  /// All rows go to the library.
+  /// Passes all buffered rows to the library.
   void write();
 
   hsize_t rows() const { return first_ + count_; }
@@ -69,10 +70,10 @@ class GrowingArray {
   Hdf5Id dataset_;
   std::size_t row_bytes_ = 0;
   std::vector<std::byte> blank_row_;
-  std::vector<std::byte> buffer_;  // of as many rows as a chunk has
-  hsize_t first_ = 0;              // row of the buffer's first
-  hsize_t count_ = 0;              // of rows in the buffer
-  hsize_t written_ = 0;            // of these
+  std::vector<std::byte> buffer_;  // as many rows as a chunk
+  hsize_t first_ = 0;              // number of the buffer's first row
+  hsize_t count_ = 0;              // number of rows in the buffer
+  hsize_t written_ = 0;            // how many of these are written
 };
 
 }  // namespace swarmanoid::trajectories

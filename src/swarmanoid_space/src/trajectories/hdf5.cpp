@@ -115,7 +115,7 @@ void setAttribute(hid_t object, const std::string& name, const std::string& valu
 
 void setAttribute(hid_t object, const std::string& name, const std::vector<std::string>& values) {
   std::vector<const char*> texts;
-  texts.reserve(values.size() + 1);  // an address is wanted for no texts, too
+  texts.reserve(values.size() + 1);  // the library requires an address even for zero texts
   for (const std::string& value : values) {
     texts.push_back(value.c_str());
   }

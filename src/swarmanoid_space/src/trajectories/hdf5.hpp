@@ -1,4 +1,4 @@
-/// What trajectories need of HDF5's interface in C: identifiers that close themselves, failures as exceptions, types.
+/// Wrappers for HDF5's C interface: identifiers that close themselves, failures as exceptions, types.
 ///
 /// Errors  every function throws std::runtime_error.
 #pragma once
@@ -20,7 +20,7 @@ class Hdf5Id {
   using Close = herr_t (*)(hid_t);
 
   Hdf5Id() = default;
-  /// @throws std::runtime_error for a negative identifier @param doing for its message: "making 'pose'"
+  /// @throws std::runtime_error for a negative identifier @param doing action for its message: "making 'pose'"
   Hdf5Id(hid_t id, Close close, const char* doing);
   ~Hdf5Id() { reset(); }
   Hdf5Id(Hdf5Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
@@ -37,16 +37,16 @@ class Hdf5Id {
 /// @throws std::runtime_error for a negative result
 void check(herr_t result, const char* doing);
 
-/// The library prints nothing by itself, in this thread.
+/// Stops the library's own messages in this thread.
 void silenceHdf5();
 
-/// The type of numbers in memory and in the file; truth values are those of NumPy and h5py. Valid for ever.
+/// Type of numbers in memory and in the file; truth values are those of NumPy and h5py. The identifier is never closed.
 hid_t typeOf(NumberType type);
 
-/// What stands where nothing was written: NaN, or 0 for numbers that have none. @return its bytes
+/// Value of elements that were not written: NaN, or 0 for number types without NaN. @return its bytes
 std::vector<std::byte> blank(NumberType type);
 
-// Attributes of a dataset, a group or a file, made anew or replaced. Texts are UTF-8 of any length.
+// Create or replace attributes of a dataset, a group or a file. Texts are UTF-8 of any length.
 void setAttribute(hid_t object, const std::string& name, const std::string& value);
 void setAttribute(hid_t object, const std::string& name, const std::vector<std::string>& values);
 void setAttribute(hid_t object, const std::string& name, double value);

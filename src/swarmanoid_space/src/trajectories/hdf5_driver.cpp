@@ -12,14 +12,14 @@
 namespace swarmanoid::trajectories {
 namespace {
 
-/// What the library copies from the properties into the driver.
+/// Data that the library copies from the properties into the driver.
 struct DriverInfo {
   Hdf5Target* target;
 };
 
-/// An open file, as the library knows it.
+/// The library's handle of an open file.
 struct DriverFile {
-  H5FD_t base;  // first: the library hands it on as this
+  H5FD_t base;  // first member: the library passes a pointer to it
   Hdf5Target* target;
   haddr_t end_of_addresses;
 };
@@ -27,7 +27,7 @@ struct DriverFile {
 DriverFile& of(H5FD_t* file) { return *reinterpret_cast<DriverFile*>(file); }
 const DriverFile& of(const H5FD_t* file) { return *reinterpret_cast<const DriverFile*>(file); }
 
-/// Keeps the first problem, and does nothing once there is one.
+/// Runs the action and stores its exception; does nothing after the first problem.
 template <class Action>
 void attempt(Hdf5Target& target, Action action) {
   if (target.problem == nullptr) {
@@ -77,7 +77,7 @@ herr_t setEndOfAddresses(H5FD_t* file, H5FD_mem_t /*type*/, haddr_t address) {
 
 haddr_t endOfFile(const H5FD_t* file, H5FD_mem_t /*type*/) { return of(file).target->end; }
 
-/// Beyond the end of the file there are zeros.
+/// Reads bytes; beyond the end of the file they are zeros.
 herr_t read(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*properties*/, haddr_t address, size_t size, void* data) {
   Hdf5Target& target = *of(file).target;
   auto* bytes = static_cast<char*>(data);
@@ -96,7 +96,7 @@ herr_t write(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*properties*/, haddr_t ad
   return 0;
 }
 
-/// The file gets the length that the library has recorded in it.
+/// Gives the file the length that the library has recorded in it.
 herr_t truncate(H5FD_t* file, hid_t /*properties*/, hbool_t /*closing*/) {
   Hdf5Target& target = *of(file).target;
   attempt(target, [&] {
@@ -108,8 +108,8 @@ herr_t truncate(H5FD_t* file, hid_t /*properties*/, hbool_t /*closing*/) {
   return 0;
 }
 
-/// The library marks a file as being written only if its driver can lock. The out folder sees to it that no other
-/// writer of this run has the file.
+/// The library marks a file as being written only if its driver can lock. The out folder ensures that no other writer
+/// of this run has the file.
 herr_t lock(H5FD_t* /*file*/, hbool_t /*for_writing*/) { return 0; }
 herr_t unlock(H5FD_t* /*file*/) { return 0; }
 
@@ -118,7 +118,7 @@ H5FD_class_t makeDriver() {
   std::memset(&driver, 0, sizeof driver);
 #if H5_VERSION_GE(1, 13, 2)
   driver.version = H5FD_CLASS_VERSION;
-  constexpr H5FD_class_value_t kFirstUnregistered = 512;  // below are those of the library and of its registry
+  constexpr H5FD_class_value_t kFirstUnregistered = 512;  // lower ones belong to the library and its registry
   driver.value = kFirstUnregistered;
 #endif
   driver.name = "swarmanoid";

@@ -6,7 +6,7 @@
 namespace swarmanoid::trajectories {
 namespace {
 
-/// Groups instead of points.
+/// Returns the path with groups instead of points.
 std::string pathOf(std::string name) {
   std::replace(name.begin(), name.end(), '.', '/');
   return name;
@@ -23,7 +23,7 @@ void copyRecord(const FieldPlaces& field, const std::byte* record, std::byte* ta
   }
 }
 
-/// "blobs[].bearing" without what is in brackets.
+/// Returns "blobs[].bearing" without the brackets and their contents.
 std::string withoutBrackets(const std::string& name) {
   std::string plain;
   bool is_inside = false;

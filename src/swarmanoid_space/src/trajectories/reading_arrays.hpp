@@ -1,8 +1,8 @@
-/// The readings of one type of sensor, of all robots that have it, as arrays below "readings/<type>/": each field by
-/// itself, (rows, robots, ...), and "robots", the columns that these robots have among the entities.
+/// The readings of one sensor type, for all robots that have it, as arrays below "readings/<type>/": one for each
+/// field, (rows, robots, ...), and "robots", the columns of these robots among the entities.
 ///
-/// Of a list "counts" says how many elements each robot has in each row, and its fields have all elements, row by row
-/// and robot by robot.
+/// For a list, "counts" has the number of elements of each robot in each row, and the fields have all elements, row by
+/// row and robot by robot.
 #pragma once
 
 #include <vector>
@@ -18,14 +18,14 @@ class ReadingArrays {
   /// @param columns rows of the entities, by column
   ReadingArrays(hid_t file, const DeviceType& type, const Space& space, const std::vector<Row>& columns);
 
-  /// One row. @param columns rows of the entities, by column
+  /// Appends one row. @param columns rows of the entities, by column
   void append(const Space& space, const std::vector<Row>& columns);
   void write();
 
  private:
   struct Field {
     const FieldPlaces* places;
-    std::size_t bytes;  // of one record
+    std::size_t bytes;  // size of one record
     GrowingArray array;
   };
   struct List {
@@ -39,8 +39,8 @@ class ReadingArrays {
   void appendList(List& list);
 
   const DeviceType& type_;
-  std::vector<int> place_of_column_;       // among the robots; -1: it has no such device
-  std::vector<const std::byte*> devices_;  // by robot; null: not there
+  std::vector<int> place_of_column_;       // index among the robots; -1: the entity has no such device
+  std::vector<const std::byte*> devices_;  // by robot; null: the robot does not exist
   GrowingArray robots_;
   std::vector<Field> fields_;
   std::vector<List> lists_;

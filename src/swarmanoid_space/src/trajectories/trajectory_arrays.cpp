@@ -8,7 +8,7 @@ namespace swarmanoid::trajectories {
 namespace {
 
 constexpr std::size_t kPoseNumbers = 7;
-constexpr std::size_t kRoomForNames = 64;  // of those that are spawned [byte]; a type of fixed length can be streamed
+constexpr std::size_t kRoomForNames = 64;  // of spawned entities [byte]; only types of fixed length can be streamed
 
 std::size_t longestName(const Space& space) {
   std::size_t longest = kRoomForNames;
@@ -90,7 +90,7 @@ void TrajectoryArrays::append(const Space& space) {
   for (std::size_t i = 0; i < metrics_.size(); ++i) {
     appendNumber(metrics_[i], space.metrics[i]->value);
   }
-  constexpr double kNanosecondsInSecond = 1e9;  // a division rounds once
+  constexpr double kNanosecondsInSecond = 1e9;  // a division rounds only once
   appendNumber(tick_, std::uint64_t{space.tick});
   appendNumber(run_, std::uint64_t{space.run});
   appendNumber(time_, static_cast<double>((space.time - kEpoch).count()) / kNanosecondsInSecond);

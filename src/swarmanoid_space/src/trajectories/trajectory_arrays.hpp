@@ -1,4 +1,4 @@
-/// The arrays of a file of trajectories; docs/reference/trajectory_file.md has them all.
+/// The arrays of a trajectory file; docs/reference/trajectory_file.md describes them.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace swarmanoid::trajectories {
 
 class TrajectoryArrays {
  public:
-  /// @param devices types whose readings are recorded @param space as its first row will have it
+  /// @param devices types whose readings are recorded @param space its state in the first row
   TrajectoryArrays(hid_t file, const std::vector<std::string>& devices, const Space& space);
 
-  /// One row: the state at the end of a tick. @throws std::runtime_error
+  /// Appends one row: the state at the end of a tick. @throws std::runtime_error
   void append(const Space& space);
   void write();
 

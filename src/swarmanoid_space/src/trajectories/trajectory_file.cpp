@@ -6,7 +6,7 @@ namespace swarmanoid::trajectories {
 
 namespace {
 constexpr const char* kComplete = "complete";
-constexpr const char* kName = "trajectories";  // the driver has the file
+constexpr const char* kName = "trajectories";  // placeholder; the driver has the file
 }  // namespace
 
 TrajectoryFile::TrajectoryFile(OutDescriptor file) : target_(std::make_unique<Hdf5Target>()) {
@@ -33,7 +33,7 @@ void TrajectoryFile::stream() {
 }
 
 void TrajectoryFile::flush() {
-  silenceHdf5();  // whoever ends a run may be another thread
+  silenceHdf5();  // the run may end on another thread
   check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "writing");
   flushed_end_ = target_->end;
   requireWritten();

@@ -1,9 +1,9 @@
-/// A file of trajectories, in HDF5 1.10 format: made, written while the run goes on, and completed.
+/// A trajectory file in HDF5 1.10 format: created, written while the run goes on, and completed.
 ///
-/// Life    begin, arrays and attributes are made, stream; flush as often as wanted; arrays are released, complete.
-/// Safety  what was flushed stays readable whenever the process ends. The attribute "complete" is true only in a file
-///         that was completed.
-/// Errors  std::runtime_error that names who writes, the file and the reason, when the disk refuses something.
+/// Life    begin, create arrays and attributes, stream; flush as often as wanted; release the arrays, complete.
+/// Safety  flushed data stays readable whenever the process ends. The attribute "complete" is true only in a completed
+///         file.
+/// Errors  std::runtime_error that names writer, file and reason if a write fails.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,19 @@ namespace swarmanoid::trajectories {
 
 class TrajectoryFile {
  public:
-  /// @param file stays as it is until begin
+  /// @param file unchanged until begin
   explicit TrajectoryFile(OutDescriptor file);
 
   void begin();
-  /// From here on neither arrays nor attributes can be made.
+  /// Starts streaming; arrays and attributes can no longer be created.
   void stream();
   void flush();
-  /// @pre no array of the file is open @param describe makes the last attributes
+  /// @pre no array of the file is open @param describe creates the last attributes
   void complete(const std::function<void(hid_t)>& describe);
 
   hid_t id() const { return file_.get(); }
-  /// Whether so much has gone into the file since the last flush that a disk that is full soon would take a lot away.
+  /// Returns whether so much has been written since the last flush that a disk that becomes full would lose a lot of
+  /// data.
   bool wantsFlush() const { return target_->end > flushed_end_ + kMuch; }
   /// @throws std::runtime_error if a write has failed
   void requireWritten() const;
@@ -40,7 +41,7 @@ class TrajectoryFile {
 
   std::unique_ptr<Hdf5Target> target_;
   Hdf5Id file_;
-  std::uint64_t flushed_end_ = 0;  // of the file then [byte]
+  std::uint64_t flushed_end_ = 0;  // size of the file at the last flush [byte]
 };
 
 }  // namespace swarmanoid::trajectories

@@ -1,4 +1,4 @@
-// The poses of all that moves, readings and metrics as arrays in an HDF5 file, for whatever reads such files.
+// Records poses of movable entities, readings and metrics as arrays in an HDF5 file.
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -17,7 +17,7 @@ namespace {
 
 using trajectories::setAttribute;
 
-/// The types of sensors that robots of the experiment have, sorted.
+/// Returns the sensor types of the experiment's robots, sorted.
 std::vector<std::string> sensorsOf(const Experiment& experiment) {
   std::vector<std::string> types;
   for (const ControllerDescription& controller : experiment.controllers) {
@@ -122,7 +122,7 @@ class TrajectoryRecorder final : public Observer {
         arrays_->append(space);
         space_ = &space;
         last_tick_ = space.tick;
-        if (is_first || file_->wantsFlush()) {  // a run that is killed at once has its first state
+        if (is_first || file_->wantsFlush()) {  // so that the file of a run that is killed early has its first state
           arrays_->write();
           file_->flush();
         }
@@ -170,7 +170,7 @@ class TrajectoryRecorder final : public Observer {
     file_->stream();
   }
 
-  /// The state is that of the last tick still: observers are completed before anything else is done to it.
+  /// Writes the last attributes. The space still has the state of the last tick, because observers are completed first.
   void describeEnd(hid_t file) const {
     setAttribute(file, "ticks", space_->tick);
     if (space_->tick == last_tick_) {
@@ -181,7 +181,7 @@ class TrajectoryRecorder final : public Observer {
     }
   }
 
-  /// What is wrong is thrown once; after that nothing is written.
+  /// Runs an action. The first exception is thrown; after it nothing is written.
   template <class Action>
   void guard(Action action) {
     if (is_lost_) {
@@ -192,7 +192,7 @@ class TrajectoryRecorder final : public Observer {
       file_->requireWritten();
     } catch (...) {
       is_lost_ = true;
-      file_->requireWritten();  // the reason of whatever follows from it
+      file_->requireWritten();  // throws the failed write that caused the exception, if any
       throw;
     }
   }
@@ -201,7 +201,7 @@ class TrajectoryRecorder final : public Observer {
   std::uint64_t every_ = 1;
   std::vector<std::string> devices_;
   std::optional<trajectories::TrajectoryFile> file_;
-  std::optional<trajectories::TrajectoryArrays> arrays_;  // before the file is closed
+  std::optional<trajectories::TrajectoryArrays> arrays_;  // destroyed before the file is closed
   const Space* space_ = nullptr;
   std::uint64_t last_tick_ = 0;
   bool is_lost_ = false;

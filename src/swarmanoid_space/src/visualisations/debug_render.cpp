@@ -1,4 +1,4 @@
-// What controllers say with robot.debug, and the events of the run: one line a change, columns separated by tabs.
+// Debug values of controllers (robot.debug), and the events of the run: one line per change, columns separated by tabs.
 #include <map>
 #include <utility>
 

@@ -1,4 +1,4 @@
-// The hashes of every tick, for comparing runs.
+// The state hash of every tick, for comparing runs.
 
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/output/out_file.hpp"

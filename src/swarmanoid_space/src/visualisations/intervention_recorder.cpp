@@ -1,4 +1,4 @@
-// What was done to a run from outside, for doing it to another one.
+// Records the interventions in a run, for playing them into another run.
 #include "swarmanoid_space/interventions/intervention_file.hpp"
 #include "swarmanoid_space/output/out_file.hpp"
 
@@ -33,7 +33,7 @@ class InterventionRecorder final : public Observer {
       file_ << toXml(taken, 1);
     }
     if (!space.interventions.empty()) {
-      file_.flush();  // whole elements: a run that is killed lacks nothing but the end
+      file_.flush();  // whole elements, so that the file of a killed run lacks only the end
     }
   }
 

@@ -1,4 +1,4 @@
-// The metrics of all rules as a table of comma-separated values, for plots and statistics.
+// Writes the metrics of all rules as a table of comma-separated values, for plots and statistics.
 #include <charconv>
 
 #include "swarmanoid_space/output/out_file.hpp"
@@ -55,7 +55,7 @@ class MetricsTable final : public Observer {
 
   void writeRow(const Space& space) {
     file_ << space.tick << ',';
-    constexpr double kNanosecondsInSecond = 1e9;  // a division rounds once: 0.3 and not 0.30000000000000004
+    constexpr double kNanosecondsInSecond = 1e9;  // a division rounds only once: 0.3 and not 0.30000000000000004
     write(static_cast<double>((space.time - kEpoch).count()) / kNanosecondsInSecond);
     for (const Metric* metric : space.metrics) {
       file_ << ',';
@@ -64,7 +64,7 @@ class MetricsTable final : public Observer {
     file_ << '\n';
   }
 
-  /// The shortest text that is read as this number.
+  /// Writes the shortest text that is read back as this number.
   void write(double value) {
     char text[32];
     file_.write(text, std::to_chars(std::begin(text), std::end(text), value).ptr - text);

@@ -1,7 +1,7 @@
-// The text table of thesis 3.6.1 and figure 3.11: one line an entity and tick, columns separated by tabs. As printed,
-// the figure has the mark # of its header in a column of its own, under which the ticks stand, and nothing stands under
-// "clock". So it is in the layout `figure`; in the layout `columns` # is part of the first name, so that every column
-// has its name and every cell its value.
+// The text table of thesis 3.6.1 and figure 3.11: one line per entity and tick, columns separated by tabs. As printed,
+// the figure has the mark # of its header in a column of its own, above the ticks, and the column "clock" is empty. The
+// layout `figure` reproduces this. In the layout `columns` # is part of the first name, so that every column has its
+// name and every cell its value.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -83,7 +83,7 @@ class TextRender final : public Observer {
     out << '\n';
   }
 
-  /// As figure 3.11 has it: "9", "0.25", "45.5", "0.455".
+  /// Returns a number in the form of figure 3.11: "9", "0.25", "45.5", "0.455".
   std::string_view shortened(double value) {
     char* const begin = std::begin(buffer_);
     char* end = std::to_chars(begin, std::end(buffer_), value, std::chars_format::fixed, precision_).ptr;

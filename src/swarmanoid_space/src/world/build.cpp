@@ -1,4 +1,4 @@
-// From an experiment's description to its state before tick 0.
+// Builds the state before tick 0 from an experiment's description.
 #include "build.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Adds a device to the group, configured.
+/// Creates and configures a device, and adds it to the group.
 template <class Plugin>
 void addDevice(PluginKind kind, const DeviceDescription& description, const std::string& controller,
                std::vector<Named<Plugin>>& plugins, std::vector<DeviceUse>& uses) {
@@ -31,7 +31,7 @@ void addDevice(PluginKind kind, const DeviceDescription& description, const std:
   plugins.back()->takeErrors(description.errors);
 }
 
-/// @throws ConfigError if there are more than memory can be expected to hold
+/// @throws ConfigError for more than limits::kMostEntities entities
 std::size_t entityCount(const ArenaDescription& arena) {
   std::size_t count = 0;
   for (const EntityDescription& entity : arena.entities) {
@@ -44,7 +44,7 @@ std::size_t entityCount(const ArenaDescription& arena) {
   return count;
 }
 
-/// @throws ConfigError if simulated time would not fit its numbers
+/// @throws ConfigError if simulated time would overflow
 void refuseEndlessRun(const FrameworkDescription& framework) {
   using Years = std::chrono::duration<double, std::ratio<31536000>>;
   const double years = static_cast<double>(framework.max_clock) * Years(framework.clocktick).count();
@@ -55,7 +55,7 @@ void refuseEndlessRun(const FrameworkDescription& framework) {
   }
 }
 
-/// @throws ConfigError for whatever it throws
+/// @throws ConfigError for any exception of the controller
 void initTogether(const ControllerGroup& group, const ControllerDescription& description) {
   const UserCode code{"init", group.part, ""};
   const UserCall call(code);
@@ -68,7 +68,7 @@ void initTogether(const ControllerGroup& group, const ControllerDescription& des
   }
 }
 
-/// What steps the robots of the group: one controller for all of them, or what makes one for each.
+/// Gives the group its controller: one for all robots, or a function that creates one for each.
 void giveController(World& world, const ControllerDescription& description, ControllerGroup& group) {
   const SuppliedParts& supplied = world.supplied;
   const auto together = supplied.group_controllers.find(description.id);
@@ -155,7 +155,7 @@ void buildEntities(World& world) {
   }
 }
 
-/// The floor, clean.
+/// Returns the clean floor.
 Floor floorOf(const Experiment& experiment) {
   Floor floor = experiment.arena.floor;
   if (const auto& paint = experiment.arena.paint) {
@@ -200,7 +200,7 @@ void build(World& world) {
   world.space.size = world.experiment.arena.size;
   world.space.floor = floorOf(world.experiment);
   world.space.terrain = world.experiment.arena.terrain;
-  constexpr std::size_t kUsualEvents = 64;  // in one tick; more are possible, but allocate
+  constexpr std::size_t kUsualEvents = 64;  // per tick; more are possible, but allocate
   world.space.events.reserve(kUsualEvents);
   world.space.index.configure(world.space.size, world.experiment.arena.optimization,
                               entityCount(world.experiment.arena), world.space.corner);
@@ -208,7 +208,7 @@ void build(World& world) {
   buildControllerGroups(world);
   buildBoundary(world);
   buildEntities(world);
-  world.space.index.forget(world.space.entities);  // rules ask it when the run begins
+  world.space.index.forget(world.space.entities);  // rules use the index when the run begins
   buildTriggers(world);
   offerRobots(world);
 }

@@ -1,26 +1,26 @@
-/// From an experiment's description to its state before tick 0, and back.
+/// Builds the state before tick 0 from an experiment's description, and clears it.
 #pragma once
 
 #include "world.hpp"
 
 namespace swarmanoid {
 
-/// Once a world. @throws ConfigError
+/// Builds the engines, once per world. @throws ConfigError
 void buildEngines(World& world);
 
-/// Everything in the space, with robots and their controllers. @pre there are engines @throws ConfigError
+/// Builds everything in the space, with robots and their controllers. @pre the engines are built @throws ConfigError
 void build(World& world);
 
-/// Once a world, after the engines. @throws ConfigError
+/// Builds the rules, once per world, after the engines. @throws ConfigError
 void buildRules(World& world);
 
-/// Those in Python begin as in a new run; those in C++ have a function for that. @throws ConfigError
+/// Creates Python rules anew for a new run; C++ rules have a reset function. @throws ConfigError
 void renewRulesInScripts(World& world);
 
-/// Once a world, last. @throws ConfigError
+/// Builds the observers, once per world, last. @throws ConfigError
 void buildObservers(World& world);
 
-/// The handover rules of the file, for each entity that they are about. Part of `build`. @throws ConfigError
+/// Builds the handover rules of the file, one trigger for each of their entities. Part of `build`. @throws ConfigError
 void buildTriggers(World& world);
 
 /// Ends all controllers and empties the space; engines and observers stay.

@@ -1,4 +1,4 @@
-/// Configuring a plugin, whatever it throws.
+/// Configures a plugin, with any exception converted to a ConfigError.
 #pragma once
 
 #include "../assembly/named_plugin.hpp"
@@ -7,7 +7,7 @@
 
 namespace swarmanoid {
 
-/// @throws ConfigError for whatever the plugin throws
+/// @throws ConfigError for any exception of the plugin
 template <class Plugin, class... Arguments>
 void configure(const Named<Plugin>& plugin, const SourceLocation& location, const Arguments&... arguments) {
   const UserCode code{"configure", plugin.part, "", UserCode::kNoTick, false};

@@ -30,23 +30,24 @@ class Placing {
   }
 
   void placeEvenly();
-  /// Each is tried at random places until it is free somewhere.
+  /// Places each entity at random positions until one is free.
   void placeAtRandom();
-  /// Likewise, and who is near in space is near in number, and so in memory: for so many that caches do not hold them.
-  /// All draw a place, and take these in the order of a curve; those who find theirs taken draw again, and so on.
+  /// Places entities at random so that neighbours in space have close numbers, and so are close in memory: for more
+  /// entities than fit into caches. All draw a position; the entities are placed in the order of the positions along
+  /// the curve, and those whose position is not free draw again.
   void placeAlongCurve();
 
  private:
   struct Draw {
-    std::uint64_t place = 0;  ///< along the curve
+    std::uint64_t place = 0;  ///< position along the curve
     Eigen::Vector3d position;
     double heading = 0.0;  ///< rad
   };
 
   static Eigen::Vector3d originOf(const World& world, const EntityDescription& group);
-  /// @throws ConfigError if the area around an entity reaches out of the arena
+  /// @throws ConfigError if the area around an entity extends beyond the arena
   void refuseOutside() const;
-  /// The place of an entity if all of them stand at even distances.
+  /// Returns the position of an entity at even distances.
   Eigen::Vector3d evenPlace(std::size_t number) const;
   Eigen::Vector3d placeInRows(std::size_t number) const;
   Draw nextAtRandom();
@@ -61,7 +62,7 @@ class Placing {
   const Distribution& distribution_;
   Eigen::AlignedBox3d bounds_;  // of the area [m]
   Eigen::Vector3d extent_;      // of bounds_ [m]
-  double longer_side_;          // of the ground that they are on, m
+  double longer_side_;          // of the area on the ground [m]
   Eigen::Vector3d origin_;      // of the area's coordinates, in W [m]
   std::string name_;
   std::shared_ptr<const EntityModel> model_;
@@ -77,7 +78,7 @@ void Placing::refuse() const {
                                           " trials; allow more area or fewer entities");
 }
 
-/// The place of the entity that they are around, at height 0.
+/// Returns the position of the entity at the centre, at height 0.
 Eigen::Vector3d Placing::originOf(const World& world, const EntityDescription& group) {
   const std::string& around = group.distribution->around;
   if (around.empty()) {
@@ -94,7 +95,7 @@ Eigen::Vector3d Placing::originOf(const World& world, const EntityDescription& g
 
 void Placing::refuseOutside() const {
   if (distribution_.around.empty()) {
-    return;  // the door has looked
+    return;  // already checked by door::check
   }
   for (const Eigen::Vector3d& corner : {bounds_.min(), bounds_.max()}) {
     door::checkPosition("place around '" + distribution_.around + "'", origin_ + corner, *model_,
@@ -148,7 +149,7 @@ Placing::Draw Placing::nextAtRandom() {
   const double v = random_.uniform();
   const double w = random_.uniform();
   const Eigen::Vector3d point = distribution_.pointAt({u, v, w});
-  // of a box the shares say it without errors of rounding
+  // for a box, the random shares give it without rounding errors
   const Eigen::Vector2d within = distribution_.area == Distribution::Area::kBox
                                      ? Eigen::Vector2d(u * extent_.x(), v * extent_.y())
                                      : Eigen::Vector2d((point - bounds_.min()).head<2>().cwiseMax(0.0));
@@ -158,7 +159,7 @@ Placing::Draw Placing::nextAtRandom() {
   return draw;
 }
 
-/// Adds the entity there if nothing is in its way.
+/// Adds the entity at the drawn place if it is free. @return whether it was
 bool Placing::tryPlace(const Draw& draw) {
   entity_.position = draw.position;
   entity_.angles.z() = draw.heading;
@@ -210,7 +211,7 @@ void Placing::placeAlongCurve() {
 }  // namespace
 
 void distribute(World& world, const EntityDescription& group, const std::vector<Membership>& memberships) {
-  constexpr std::size_t kMany = 1000;  // a thousand robots fit into caches
+  constexpr std::size_t kMany = 1000;  // this many robots fit into caches
   Placing placing(world, group, memberships);
   if (group.distribution->layout == Distribution::Layout::kGrid) {
     placing.placeEvenly();

@@ -1,4 +1,4 @@
-/// Many entities of one kind, placed at random or in rows.
+/// Places many entities of one kind, at random or in rows.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace swarmanoid {
 
-/// @param group with a distribution @throws ConfigError if there is no room
+/// @param group with a distribution @throws ConfigError if there is not enough room
 void distribute(World& world, const EntityDescription& group, const std::vector<Membership>& memberships);
 
 }  // namespace swarmanoid

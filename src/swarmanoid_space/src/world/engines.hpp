@@ -1,4 +1,4 @@
-/// Engines of a running world as seen from outside: how they are, and what they work with.
+/// Access to the engines of a running world: their reports and parameters.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace swarmanoid {
 
-/// Its place in the experiment. @throws ConfigError if there is none
+/// Index of the engine in the experiment. @throws ConfigError if there is none
 std::size_t engineIndex(const World& world, const std::string& id);
 
-/// @param index as above @param parameters what the engine works with from now on
+/// @param index see engineIndex @param parameters of the engine from now on
 void reconfigureEngine(World& world, std::size_t index, Configuration parameters);
 
-/// The parameters of all engines are those of the file again.
+/// Resets the parameters of all engines to those of the file.
 void restoreEngineParameters(World& world);
 
 /// In the order of Space::engines. Allocates.

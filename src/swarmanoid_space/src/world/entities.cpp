@@ -69,7 +69,7 @@ void refuseTaken(const World& world, const EntityDescription& entity) {
   }
 }
 
-/// @param membership one of them @throws ConfigError if its engine cannot have the entity at that pose
+/// @param membership one of `memberships` @throws ConfigError if its engine cannot have the entity at that pose
 void refuseUnsupported(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                        const std::vector<Membership>& memberships, const Membership& membership) {
   std::string problem = membership.engine->invalidPoseReason(model, pose);
@@ -82,7 +82,7 @@ void refuseUnsupported(const World& world, const EntityDescription& entity, cons
   }
 }
 
-/// Where all has been decided. @throws ConfigError if its controller does not start; then nothing has changed
+/// Adds an entity after all checks. @throws ConfigError if its controller does not start; then nothing has changed
 Row add(World& world, const EntityDescription& entity, const std::shared_ptr<const EntityModel>& model,
         const std::vector<Membership>& memberships) {
   const Row row = world.space.entities.add(entity.id, model, poseOf(entity), entity.color);
@@ -94,7 +94,7 @@ Row add(World& world, const EntityDescription& entity, const std::shared_ptr<con
     if (!entity.controller.empty()) {
       giveController(world, row, entity);
     }
-    // first of all: what an engine makes of a mirror depends on whether somebody moves the entity
+    // set first, because engines treat a mirror differently depending on whether an engine moves the entity
     for (const Membership& membership : memberships) {
       if (membership.role == Role::kMove) {
         world.space.mover[row] = membership.engine;
@@ -107,7 +107,7 @@ Row add(World& world, const EntityDescription& entity, const std::shared_ptr<con
     }
   } catch (...) {
     removeEntity(world, row);
-    world.space.entities.giveBackLastNumber();  // hashes of whoever comes later go by numbers
+    world.space.entities.giveBackLastNumber();  // state hashes of later entities depend on their numbers
     throw;
   }
   if (memberships.empty()) {
@@ -122,7 +122,7 @@ void refuseBadPlace(const World& world, const EntityDescription& entity, const E
                     const std::vector<Membership>& memberships) {
   for (const Membership& membership : memberships) {
     refuseUnsupported(world, entity, model, pose, memberships, membership);
-    // what never moves may overlap what never moves: walls meet in their corners
+    // fixed entities may overlap each other: walls meet in their corners
     const auto counts = [&](Row other) { return model.is_movable || world.space.entities.model[other]->is_movable; };
     const Row other = findOverlap(*membership.engine, model, pose, {world.space.entities.find(entity.id)}, counts);
     if (other != kNoRow) {

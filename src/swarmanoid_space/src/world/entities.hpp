@@ -1,4 +1,4 @@
-/// Adding entities to a running world and taking them out of it: decide first, then commit.
+/// Adds entities to a running world and removes them: decide first, then commit.
 #pragma once
 
 #include <memory>
@@ -9,14 +9,14 @@
 
 namespace swarmanoid {
 
-/// @throws ConfigError if the entity cannot be there, in one of the engines
+/// @throws ConfigError if the entity cannot have the pose in one of the engines
 void refuseBadPlace(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                     const std::vector<Membership>& memberships);
 
-/// @throws ConfigError (a bad place, a name that is taken, a controller that does not start); then nothing has changed
+/// @throws ConfigError (a bad place, a name in use, a controller that does not start); then nothing has changed
 Row addEntity(World& world, const EntityDescription& entity, const std::vector<Membership>& memberships);
 
-/// The same where it is known that nothing is in its way. @param model of the entity, as modelOf makes it
+/// As addEntity, without the check for overlaps. @pre the place is free @param model of the entity, from modelOf
 Row addFreeEntity(World& world, const EntityDescription& entity, const std::shared_ptr<const EntityModel>& model,
                   const std::vector<Membership>& memberships);
 
@@ -25,7 +25,7 @@ inline Pose poseOf(const EntityDescription& entity) { return {entity.position, o
 
 void removeEntity(World& world, Row row);
 
-/// What the controller throws is a failure, and an event of the next tick.
+/// Destroys the robot's controller; an exception is recorded as a failure, and as an event of the next tick.
 void destroyController(World& world, RobotInstance& instance);
 
 }  // namespace swarmanoid

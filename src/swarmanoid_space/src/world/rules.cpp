@@ -1,4 +1,4 @@
-// The rules of a world, those of the file and those that are supplied.
+// The rules of a world: those of the file and those that the caller supplies.
 #include <algorithm>
 
 #include "build.hpp"
@@ -72,7 +72,7 @@ void buildRules(World& world) {
 }
 
 void renewRulesInScripts(World& world) {
-  for (std::size_t i = 0; i < world.experiment.rules.size(); ++i) {  // the first ones of the assembly, in this order
+  for (std::size_t i = 0; i < world.experiment.rules.size(); ++i) {  // the assembly begins with these, in this order
     const RuleDescription& description = world.experiment.rules[i];
     const bool is_supplied = findRule(world.supplied.rules, description.id) != world.supplied.rules.end();
     if (!description.script.empty() && !is_supplied) {

@@ -7,11 +7,11 @@
 
 namespace swarmanoid {
 
-/// @pre the description has a script @throws ConfigError for whatever is wrong with it
+/// @pre the description has a script @throws ConfigError for any mistake in it
 std::shared_ptr<GroupController> controllerInScript(World& world, const ControllerDescription& description);
 std::shared_ptr<Rule> ruleInScript(World& world, const RuleDescription& description);
 
-/// A run begins anew: whatever is made from now on is read anew.
+/// Called at a reset: later calls read the scripts again.
 void forgetScripts(World& world);
 
 }  // namespace swarmanoid

@@ -1,5 +1,4 @@
-// The rules of the experiment file for handover between engines (thesis chapter 5), for each entity that they are
-// about.
+// Creates a trigger from each handover rule of the experiment file (thesis chapter 5) and each of its entities.
 #include <algorithm>
 #include <map>
 
@@ -8,7 +7,7 @@
 namespace swarmanoid {
 namespace {
 
-/// How many entities distributions make, by id.
+/// Returns the number of entities of each distribution, by id.
 std::map<std::string, std::size_t> quantitiesIn(const ArenaDescription& arena) {
   std::map<std::string, std::size_t> quantities;
   for (const EntityDescription& entity : arena.entities) {
@@ -19,7 +18,7 @@ std::map<std::string, std::size_t> quantitiesIn(const ArenaDescription& arena) {
   return quantities;
 }
 
-/// The names that a rule's entity stands for.
+/// Returns the names of a rule's entities, which may be those of a distribution.
 std::vector<std::string> entitiesOf(const HandoverDescription& rule,
                                     const std::map<std::string, std::size_t>& quantities) {
   const auto group = quantities.find(rule.entity);
@@ -60,7 +59,7 @@ void buildTriggers(World& world) {
         throw ConfigError(rule.location,
                           "handover of " + model.type + " '" + name + "' to engine '" + rule.engine + "': " + problem);
       }
-      // what is true from the start has not become true
+      // a condition that is true from the start has not become true
       world.assembly.triggers.push_back(
           {&rule, engine, row, world.space.entities.number[row], holds(rule, world.space, row)});
     }

@@ -1,6 +1,6 @@
-/// A running world: the space, and all that acts on it. Simulation owns it, and interventions change it.
+/// A running world: the space, and everything that acts on it. Simulation owns it, and interventions change it.
 ///
-/// Threads  as Simulation.
+/// Threads  see Simulation.
 #pragma once
 
 #include <string>
@@ -30,10 +30,10 @@ struct World {
   Space space;
   Assembly assembly;                                     ///< engines, robots, rules, observers
   Lockstep lockstep;                                     ///< commands from other processes
-  std::vector<Configuration> engine_parameters;          ///< as of now, in the order of Space::engines
+  std::vector<Configuration> engine_parameters;          ///< present values, in the order of Space::engines
   std::vector<Event> pending_events;                     ///< of the next tick
-  std::vector<TakenIntervention> pending_interventions;  ///< likewise
-  InterventionQueue queue;                               ///< what rules ask for
+  std::vector<TakenIntervention> pending_interventions;  ///< of the next tick
+  InterventionQueue queue;                               ///< requests of rules
   std::vector<AskedIntervention> asked;                  ///< scratch of takeAsked
   std::vector<ControllerFailure> failures;
   Robot::LogSink log_sink;

@@ -21,7 +21,7 @@ std::string xmlEscaped(const std::string& text) {
       case '\t':
       case '\n':
       case '\r':
-        result += "&#" + std::to_string(static_cast<int>(c)) + ";";  // attributes would make a space of them
+        result += "&#" + std::to_string(static_cast<int>(c)) + ";";  // in attributes XML would read them as spaces
         break;
       default:
         result += c;

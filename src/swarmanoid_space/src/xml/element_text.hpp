@@ -1,5 +1,5 @@
-/// Writes parts of an XML document as text: elements in lines, indented by two spaces a level. (libxml2's writer, which
-/// the schema is written with, writes whole documents, and keeps no line breaks in values.)
+/// Writes parts of an XML document as text: one element per line, indented by two spaces per level. (libxml2's writer,
+/// which writes the schema, writes whole documents only, and does not keep line breaks in values.)
 #pragma once
 
 #include <string>
@@ -7,22 +7,22 @@
 
 namespace swarmanoid {
 
-/// With what XML would take for its own replaced, so that it is read as it was.
+/// Returns the text with XML's special characters replaced, so that it is read back unchanged.
 std::string xmlEscaped(const std::string& text);
 
 class ElementText {
  public:
-  /// @param depth of the first element: how far it is indented
+  /// @param depth indentation level of the first element
   explicit ElementText(int depth) : depth_(depth) {}
 
-  /// What follows is in this element, until its `end`.
+  /// Opens an element; later calls write into it, until its `end`.
   void begin(const std::string& name);
-  /// Of the element that has just begun.
+  /// Writes an attribute of the element that was just opened.
   void attribute(const std::string& name, const std::string& value);
   void end();
   /// Ends an element that holds a value and no elements.
   void end(const std::string& value);
-  /// A whole element that holds a value.
+  /// Writes a whole element that holds a value.
   void value(const std::string& name, const std::string& text);
 
   const std::string& text() const { return text_; }
@@ -33,7 +33,7 @@ class ElementText {
   int depth_;
   std::string text_;
   std::vector<std::string> open_;
-  bool is_tag_open_ = false;  // its attributes may follow
+  bool is_tag_open_ = false;  // attributes may follow
 };
 
 }  // namespace swarmanoid

@@ -21,7 +21,7 @@ struct ContextDeleter {
   void operator()(xmlParserCtxt* context) const { xmlFreeParserCtxt(context); }
 };
 
-/// The first mistake that was found; hung on the parser.
+/// The first mistake; attached to the parser.
 struct Findings {
   struct Mistake {
     std::string message;
@@ -45,18 +45,18 @@ void refuse(void* context, const std::string& message, int line) {
   xmlStopParser(parserOf(context));
 }
 
-/// What helps where a sign of XML stands for itself.
+/// Returns advice for messages about a special character that is not escaped.
 std::string allowedInstead(int code) {
   const bool is_about_signs = code == XML_ERR_NAME_REQUIRED || code == XML_ERR_ENTITYREF_SEMICOL_MISSING ||
                               code == XML_ERR_UNDECLARED_ENTITY || code == XML_ERR_LT_IN_ATTRIBUTE;
   return is_about_signs ? ", allowed: &amp; and &lt; for the signs & and <" : "";
 }
 
-/// Newer versions of the library hand over a pointer to a constant error.
+/// A template, because newer versions of the library pass a pointer to a constant error.
 template <class Error>
 void onError(void* context, Error error) {
   if (error->level != XML_ERR_FATAL || findingsOf(context).first) {
-    return;  // what comes after the first mistake follows from it
+    return;  // later mistakes are consequences of the first one
   }
   std::string message = std::string("found no well-formed XML: ") + error->message;
   message.erase(message.find_last_not_of('\n') + 1);
@@ -68,10 +68,10 @@ void onError(void* context, Error error) {
   findingsOf(context).first = Findings::Mistake{message, error->line};
 }
 
-/// The library's own count of lines ends at 65535, and means the end of a tag.
+/// Stores a node's line: the library's own count stops at 65535, and refers to the end of a tag.
 void keepLine(xmlNode* node, int line) { node->psvi = reinterpret_cast<void*>(static_cast<std::intptr_t>(line)); }
 
-/// The parser stands at the end of the tag, in which a '<' can only be the first character.
+/// Returns the line of a tag. The parser is at its end, and a '<' in it can only be the first character.
 int lineOfTag(const xmlParserInput& input) {
   int line = input.line;
   for (const xmlChar* at = input.cur; at > input.base && *at != '<'; --at) {
@@ -88,7 +88,7 @@ void onElement(void* context, const xmlChar* name, const xmlChar* prefix, const 
                   line);
   }
   bool has_namespace = prefix != nullptr || namespace_count > 0;
-  constexpr int kPointers = 5;  // of an attribute: name, prefix, URI, begin and end of the value
+  constexpr int kPointers = 5;  // per attribute: name, prefix, URI, begin and end of the value
   for (int i = 0; i < attribute_count; ++i) {
     has_namespace = has_namespace || attributes[kPointers * i + 1] != nullptr;
   }
@@ -112,10 +112,10 @@ void onText(void* context, const xmlChar* text, int length) {
   const char* end = characters(text) + length;
   const char* word = std::find_if_not(characters(text), end, isSpace);
   if (parent == nullptr || (word == end && *input.cur == '<' && !last_is_text())) {
-    return;  // white space between tags would be half of the tree
+    return;  // skips white space between tags, which would be half of the tree
   }
   xmlSAX2Characters(context, text, length);
-  // one node takes all pieces of a text
+  // all pieces of a text are in one node
   if (word != end && last_is_text() && lineOf(parent->last) == 0) {
     keepLine(parent->last, input.line - static_cast<int>(std::count(word, end, '\n')));
   }
@@ -138,15 +138,15 @@ void onProcessingInstruction(void* context, const xmlChar* target, const xmlChar
   throw ConfigError({file, 1 + static_cast<int>(std::count(text.begin(), end, '\n'))}, message);
 }
 
-/// Where a comment, a section of characters or an instruction that begins at a place ends; the place itself if none
-/// does. At the first double hyphen in a comment the library goes on, and takes the square of its length in time.
+/// Returns the end of a comment, CDATA section or instruction that begins at `begin`; `begin` if there is none. The
+/// library does not stop at the first double hyphen in a comment, and then takes time quadratic in its length.
 std::size_t endOfSection(const std::string& text, std::size_t begin, const std::string& file) {
   const auto after = [&](const std::string& opening, const std::string& closing) {
     if (text.compare(begin, opening.size(), opening) != 0) {
       return begin;
     }
     const std::size_t end = text.find(closing, begin + opening.size());
-    return end == std::string::npos ? text.size() : end + closing.size();  // the library reports what is not closed
+    return end == std::string::npos ? text.size() : end + closing.size();  // the library reports the missing end
   };
   const std::size_t hyphens = after("<!--", "--");
   if (hyphens != begin && hyphens < text.size() && text[hyphens] != '>') {
@@ -155,7 +155,8 @@ std::size_t endOfSection(const std::string& text, std::size_t begin, const std::
   return std::max({hyphens, after("<![CDATA[", "]]>"), after("<?", "?>")});
 }
 
-/// The library ends at a zero byte as if the file did, and takes the square of a tag's attributes in time.
+/// Checks for contents that the library does not handle: it stops at a zero byte as at the end of the file, and takes
+/// time quadratic in the number of a tag's attributes.
 void checkForTheLibrary(const std::string& text, const std::string& file) {
   if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw ConfigError({file}, "found a text of " + std::to_string(text.size()) + " characters, allowed: fewer");
@@ -164,7 +165,7 @@ void checkForTheLibrary(const std::string& text, const std::string& file) {
     refuseAt(zero, "found a zero byte, allowed: text", text, file);
   }
   int attributes = 0;
-  char before = '\0';  // but for white space
+  char before = '\0';  // last character that is not white space
   std::size_t i = 0;
   while (i < text.size()) {
     if (text[i] == '<') {

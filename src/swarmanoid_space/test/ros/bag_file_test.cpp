@@ -1,4 +1,4 @@
-// Bags as the library reads them: all compressions, any number of topics and chunks, gone on with after their end.
+// Bags read by the library: all compressions, any number of topics and chunks, continuation after their end.
 #include "../../src/ros/recording/bag_file.hpp"
 
 #include <fcntl.h>
@@ -28,7 +28,7 @@ std_msgs::String message(const std::string& text) {
   return result;
 }
 
-/// Text that no compression makes shorter.
+/// Returns an incompressible text.
 std::string noise(std::size_t size, unsigned seed) {
   std::minstd_rand random(seed);
   std::string text(size, ' ');
@@ -157,7 +157,7 @@ TEST_F(BagFileTest, ThousandsOfTopicsInThousandsOfChunks) {
   EXPECT_EQ(read("/robot_1999").size(), kChunks);
 }
 
-/// A limit on the size of files is a full disk that needs no rights.
+/// Simulates a full disk by a limit on file sizes, which needs no privileges.
 class FullDiskTest : public BagFileTest {
  protected:
   void SetUp() override {

@@ -1,4 +1,4 @@
-// Names and states of robots in rviz: readable in arenas of any size, and apart from each other.
+// Names and states of robots in rviz: readable in arenas of any size, without overlaps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Footbots at these places, and other entities, in an arena that is as long as deep.
+/// Footbots at these places, and other entities, in a square arena.
 std::vector<Marker> drawn(const std::string& name, double side, const std::vector<Eigen::Vector2d>& places,
                           const std::string& others = "") {
   std::string text =
@@ -34,12 +34,12 @@ std::vector<Marker> drawn(const std::string& name, double side, const std::vecto
   return found;
 }
 
-/// In the picture of a camera that looks from the south and down by 0.85 rad.
+/// A text in the picture of a camera that looks from the south and down by 0.85 rad.
 struct Text {
   explicit Text(const Marker& label)
       : x(label.pose.position.x),
         y(label.pose.position.y * std::sin(0.85) + label.pose.position.z * std::cos(0.85)),
-        // letters of Liberation Sans are about this wide on average
+        // mean width of letters of Liberation Sans
         width(0.45 * label.scale.z * static_cast<double>(label.text.size())),
         height(label.scale.z) {}
   double x, y, width, height;
@@ -91,13 +91,13 @@ TEST(LabelsTest, GiveWayToEachOtherWhereRobotsStandTogether) {
   expectApart(labels);
   const double lowest = drawn("labels", 12.0, {{1.0, 1.0}})[0].pose.position.z;
   for (const Marker& label : labels) {
-    EXPECT_LT(label.pose.position.z, lowest + 2.5);  // not one above all the others
+    EXPECT_LT(label.pose.position.z, lowest + 2.5);  // not stacked above all the others
   }
 }
 
 TEST(LabelsTest, AreNotHiddenByAnObstacle) {
-  // the southernmost one's label has to give way to the other robots, but not behind the cabinet on its left, though
-  // that would be nearest, and not out of the arena on its right
+  // the label of the southernmost robot must avoid the other robots, but neither behind the cabinet on its left, which
+  // would be closest, nor out of the arena on its right
   const std::string cabinet =
       "<block id=\"cabinet\"><position>1.3, 0.7, 0.5</position>"
       "<orientation>0, 0, 0</orientation><size>0.6, 0.6, 1</size></block>";

@@ -86,7 +86,7 @@ TEST(MarkersTest, TheFloorLeavesRoomForTheTerrain) {
   EXPECT_EQ(terrain.colors.size(), terrain.points.size());
   const auto is_lower = [](const auto& a, const auto& b) { return a.z < b.z; };
   EXPECT_DOUBLE_EQ(std::max_element(terrain.points.begin(), terrain.points.end(), is_lower)->z, 0.2);
-  // with its rim in the air there are cliffs too, and none of a large one is left out at the border
+  // a raised rim has cliffs too, and none at the border of a large terrain is left out
   space.terrain = std::make_shared<const Terrain>(Eigen::Vector2d(-1.0, 2.0), Eigen::Vector2d(2.0, 2.0), 600, 2,
                                                   std::vector<double>(1200, 0.1));
   const Marker mesa = inNamespace(arenaMarkers(space), "terrain")[0];
@@ -139,7 +139,7 @@ TEST(MarkersTest, AnImageOnTheFloorIsASquareForEachPixel) {
   EXPECT_TRUE(drawn(image).points.empty()) << "nothing of it is to be seen";
 }
 
-/// 129 columns are one too many: squares of 2 x 2 pixels of 1 cm, the last one moved inwards.
+/// One column too many, 129: squares of 2 x 2 pixels of 1 cm, the last one moved inwards.
 TEST(MarkersTest, ALargeImageIsDrawnByMeanColours) {
   FloorImage image = imageOf(129, 2, {1.29, 0.02});
   image.colors[0] = {102, 0, 0};
@@ -152,7 +152,7 @@ TEST(MarkersTest, ALargeImageIsDrawnByMeanColours) {
   EXPECT_NEAR(marker.points[64].x, 1.0 + 1.28, 1e-9);
 }
 
-/// Cells of 5 cm; half a second, so five ticks, halves what is painted.
+/// Cells of 5 cm; the paint has a half-life of half a second, which is five ticks.
 TEST(MarkersTest, PaintIsDrawnByItsCellsAsStrongAsItIs) {
   Experiment experiment = test::smallWorld()->experiment();
   experiment.arena.paint = PaintDescription{0.05, 0.5};

@@ -1,4 +1,4 @@
-// Robots' bodies in rviz.
+// Bodies of robots in rviz.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -28,7 +28,7 @@ TEST(RobotMarkersTest, MoveWithTheirFrames) {
   std::set<int> ids;
   for (const Marker& marker : bodies(simulation->space())) {
     EXPECT_TRUE(marker.frame_locked);
-    EXPECT_TRUE(marker.header.stamp.isZero());  // else rviz would wait for a transform of that time
+    EXPECT_TRUE(marker.header.stamp.isZero());  // otherwise rviz would wait for a transform of that time
     frames.insert(marker.header.frame_id);
     EXPECT_TRUE(ids.insert(marker.id).second);
     EXPECT_GT(marker.scale.x, 0.0);
@@ -39,7 +39,7 @@ TEST(RobotMarkersTest, MoveWithTheirFrames) {
     if (simulation->space().entities.model[row]->is_robot) {
       const std::string& name = simulation->space().entities.name[row];
       expected.insert(name + "/base_link");
-      // what a joint turns is in the frame of its link
+      // links on joints have their own frames
       for (const EntityModel::Joint& joint : simulation->space().entities.model[row]->joints) {
         expected.insert(name + "/" + joint.link);
       }

@@ -1,4 +1,4 @@
-// A recorded run: every state is in the bag, in simulated time, and no master is there.
+// A recorded run: every state is in the bag, in simulated time, without a master.
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -115,7 +115,7 @@ TEST_F(RosbagRecorderTest, HoldsWhatWasDoneToTheRunWhateverTheTicksThatItRecords
   EXPECT_EQ(0U, messages[0]->run);
   EXPECT_EQ("", messages[0]->by);
   EXPECT_EQ("<delete tick=\"1\" entity=\"prey\"/>\n", messages[0]->text);
-  EXPECT_EQ(ros::Time(1, 200000000), messages[0]->header.stamp);  // the run begins at 1 s; of tick 1's end
+  EXPECT_EQ(ros::Time(1, 200000000), messages[0]->header.stamp);  // the run begins at 1 s; end of tick 1
   EXPECT_EQ("move", messages[1]->kind);
   EXPECT_EQ(0U, messages[1]->text.rfind("<move tick=\"1\" entity=\"fb_1\">\n", 0));
 }

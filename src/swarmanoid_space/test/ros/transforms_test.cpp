@@ -14,7 +14,7 @@ namespace {
 
 using Parents = std::map<std::string, std::string>;
 
-/// Parent by child; fails the test for a child that has two.
+/// Returns the parents by child; fails the test for a child with two parents.
 Parents parentsOf(const std::vector<tf2_msgs::TFMessage>& messages) {
   Parents parents;
   for (const auto& message : messages) {
@@ -100,7 +100,7 @@ TEST(TransformsTest, OdometryIsBelowTheRobotOnRequest) {
   space.clocktick = std::chrono::milliseconds(100);
   space.time = kEpoch + space.clocktick;
   const Row row = space.entities.add("fb", robotModel("footbot"), Pose{}, Color{});
-  space.entities.add("other", robotModel("footbot"), Pose{}, Color{});  // which has no odometry
+  space.entities.add("other", robotModel("footbot"), Pose{}, Color{});  // without odometry
   Odometry& odometry = space.readings.bank<Odometry>().add(row);
   odometry.x = 0.7;
   odometry.y = -0.4;
@@ -121,7 +121,7 @@ TEST(TransformsTest, OdometryIsBelowTheRobotOnRequest) {
   }
 }
 
-/// A robot that drives ahead from x = 0.3, with odometry that is right: `odom` stays at 0.3 in the world.
+/// A robot drives ahead from x = 0.3 with exact odometry, so `odom` stays at 0.3 in the world.
 TEST(TransformsTest, OdometryHasTheStampOfTheStateThatWasRead) {
   Space space;
   space.clocktick = std::chrono::milliseconds(100);
@@ -136,7 +136,7 @@ TEST(TransformsTest, OdometryHasTheStampOfTheStateThatWasRead) {
     space.tick = static_cast<std::uint64_t>(tick);
     space.time = kEpoch + tick * space.clocktick;
     space.entities.pose[row].position.x() = 0.3 + 0.07 * tick;
-    odometry.x = tick == 0 ? 0.0 : 0.07 * (tick - 1);  // readings are of the state before
+    odometry.x = tick == 0 ? 0.0 : 0.07 * (tick - 1);  // readings belong to the previous state
     for (const auto& transform : shown.moving(space).transforms) {
       if (transform.child_frame_id == "fb/base_link") {
         place[transform.header.stamp] = transform.transform.translation.x;

@@ -46,7 +46,7 @@ TEST(WorldStateTest, RefusesPosesInOtherFramesAndNumbersThatAreNone) {
   geometry_msgs::Pose pose;
   pose.position.x = 2.0;
   EXPECT_DOUBLE_EQ(2.0, fromMessage(header, pose).position.x());
-  EXPECT_DOUBLE_EQ(1.0, fromMessage(header, pose).orientation.w());  // an orientation that was left out
+  EXPECT_DOUBLE_EQ(1.0, fromMessage(header, pose).orientation.w());  // a missing orientation
   header.frame_id = "map";
   EXPECT_THROW(fromMessage(header, pose), std::runtime_error);
   header.frame_id = "world";

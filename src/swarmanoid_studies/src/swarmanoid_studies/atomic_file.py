@@ -1,4 +1,4 @@
-"""Files that are there as a whole, or as they were, and that one program writes at a time."""
+"""Files that are replaced atomically, and written by one program at a time."""
 
 import fcntl
 import os
@@ -9,29 +9,29 @@ from .mistakes import BadInput, RunsStopped
 
 
 def unwritable(path: str, error: OSError) -> RunsStopped:
-    """What is raised when a file cannot be written though it was begun: the disk is full, or a limit is reached."""
+    """The error for a write that fails after the file was opened: the disk is full, or a limit is reached."""
     return RunsStopped(f"{path}: cannot be written: {error.strerror or error}")
 
 
 def refuse_unwritable(path: str) -> None:
-    """Asked before anything is made that takes time. @raise BadInput if `write_atomically` cannot write the file"""
+    """Checks a path before long computations. @raise BadInput if `write_atomically` cannot write the file"""
     try:
         if os.path.isdir(path):
             raise BadInput(f"{path}: found a folder, allowed: a file")
         number, name = _beside(path)
         os.close(number)
         os.unlink(name)
-    except (OSError, ValueError) as error:  # ValueError: a name that no file can have
+    except (OSError, ValueError) as error:  # ValueError: an invalid file name
         raise BadInput(f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}") from None
 
 
 def _beside(path: str) -> Tuple[int, str]:
-    """A new file in the same folder."""
+    """Creates a temporary file in the same folder."""
     return tempfile.mkstemp(prefix=f".{os.path.basename(path)}.", dir=os.path.dirname(os.path.abspath(path)))
 
 
 def write_atomically(path: str, content: bytes) -> None:
-    """Replaces a file, also when the program or the computer dies meanwhile. @raise RunsStopped"""
+    """Replaces a file; a crash of the program or the computer leaves the old or the new content. @raise RunsStopped"""
     try:
         _replace(path, content)
     except OSError as error:
@@ -55,7 +55,7 @@ def _replace(path: str, content: bytes) -> None:
 
 
 def lock(number: int, path: str) -> None:
-    """Keeps other programs out until the descriptor of the file or folder is closed. @raise BadInput if one has locked it"""
+    """Locks a file or folder until its descriptor is closed. @raise BadInput if another program has locked it"""
     try:
         fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:

@@ -1,4 +1,4 @@
-"""`swarmanoid batch`: an experiment with many seeds and values, one row a run."""
+"""`swarmanoid batch`: an experiment with many seeds and values, one row per run."""
 
 import json
 import os
@@ -22,7 +22,7 @@ TICKS_PATH = "framework.maxclock"
 class Counts(NamedTuple):
     made: int = 0
     incomplete: int = 0           # runs without a result
-    controllers_failed: int = 0   # runs that went on without some robots
+    controllers_failed: int = 0   # runs that continued without some robots
 
 
 def _arguments() -> Arguments:
@@ -43,8 +43,8 @@ def _arguments() -> Arguments:
 
 
 def look_at_values(experiment: str, grid: Grid, shared: Dict[str, str]) -> Tuple[Tuple[str, ...], Contents]:
-    """Builds the experiment with each value once, the others being the first ones.
-    @return names of metrics, and what all runs are made of @raise BadInput"""
+    """Builds the experiment once per value of each axis, with the first values of the other axes.
+    @return names of metrics, and contents of all runs @raise BadInput"""
     first = {axis.path: axis.values[0] for axis in grid.axes}
     names: Dict[str, None] = {}
     contents: List[Contents] = []
@@ -67,8 +67,8 @@ def shared_overrides(grid: Grid, ticks: Optional[int]) -> Dict[str, str]:
 
 
 def make_rows(results: ResultsFile, requests: Requests, done: bytearray, client, progress: Progress) -> Tuple[Counts, bool]:
-    """@param done 1 for each run that has a row already
-    @return what was made, and whether an interrupt ended it"""
+    """@param done 1 for each run that already has a row
+    @return counts of the runs made, and whether an interrupt stopped them"""
     from .dispatch import outcomes
     counts = Counts()
     try:
@@ -124,11 +124,11 @@ def _main() -> int:
             if arguments.scheduler is not None:
                 refuse_others(client, experiment, shared, identity)
             if not arguments.resume:
-                results.create(arguments.force)  # now that nothing is refused any more
+                results.create(arguments.force)  # after all checks of the input
             start = time.monotonic()
             counts, is_interrupted = make_rows(results, requests, done, client,
                                                Progress(identity.experiment, len(requests), done.count(1), arguments.quiet))
-            wall_s = time.monotonic() - start  # without what processes take to begin and to end
+            wall_s = time.monotonic() - start  # without start and end of processes
     results.close()
     if report is not None and done.count(1) + counts.made:
         from .report import write_report

@@ -1,8 +1,8 @@
-"""What an evolution has found so far: each generation's genotypes and what they were worth.
+"""State of an evolution: genotypes and values of each generation so far.
 
-That is all that it needs to go on: its optimiser is told again what it was told before, and asks for the same genotypes again, to
-the last bit. The file is JSON, and replaced as a whole after each generation. Its digest shows whether a value has been changed:
-a wrong one would only lead the evolution elsewhere."""
+An evolution needs no other state to continue: its optimiser receives the same losses again, and asks for the same genotypes again,
+to the last bit. The file is JSON, and replaced atomically after each generation. A digest detects changed values, which would
+otherwise only change the course of the evolution."""
 
 import hashlib
 import json
@@ -18,10 +18,10 @@ MOST_BYTES = 4_000_000_000
 
 
 class Generation(NamedTuple):
-    genotypes: List[List[float]]            # (genotypes, genes), parts of the ranges, from 0 to 1
+    genotypes: List[List[float]]            # (genotypes, genes), fractions of the ranges, from 0 to 1
     values: List[List[Optional[float]]]     # (genotypes, objectives), means of metrics over the seeds; None: not finite
     failed_controllers: int                 # runs in which a controller failed
-    first_failures: List[str]               # of the first of them: genotype, seed, which controllers and why
+    first_failures: List[str]               # the first such runs: genotype, seed, controllers and reasons
 
 
 def finite(value: float) -> Optional[float]:
@@ -29,14 +29,14 @@ def finite(value: float) -> Optional[float]:
 
 
 def write_checkpoint(path: str, made_of: Dict[str, object], generations: List[Generation]) -> None:
-    """@param made_of what must be the same when it is continued @raise RunsStopped"""
+    """@param made_of properties that must be equal when the evolution is continued @raise RunsStopped"""
     content = {"format": FORMAT, **made_of, "generations": [generation._asdict() for generation in generations]}
     content["digest"] = _digest(content)
     write_atomically(path, (json.dumps(content, indent=1, allow_nan=False) + "\n").encode())
 
 
 def read_checkpoint(path: str, made_of: Dict[str, object]) -> List[Generation]:
-    """@raise BadInput if it is damaged, or of something else"""
+    """@raise BadInput if the file is damaged, or of another evolution"""
     content = _undamaged(path)
     for name, own in made_of.items():
         _require(path, content, name, own)
@@ -50,7 +50,7 @@ def _require(path: str, content: Dict[str, object], name: str, own: object) -> N
 
 
 def _digest(content: Dict[str, object]) -> str:
-    """Of all but the digest itself."""
+    """Digest of all entries except the digest itself."""
     others = {name: value for name, value in content.items() if name != "digest"}
     return hashlib.sha256(json.dumps(others).encode()).hexdigest()[:16]
 
@@ -65,6 +65,6 @@ def _undamaged(path: str) -> Dict[str, object]:
                 return content
     except json.JSONDecodeError as error:
         raise BadInput(f"{path}:{error.lineno}: {error.msg}, allowed: a checkpoint as `swarmanoid evolve` has written it") from None
-    except (ValueError, RecursionError):  # bytes that are no UTF-8, numbers of thousands of digits, lists in lists
+    except (ValueError, RecursionError):  # invalid UTF-8, numbers of thousands of digits, deeply nested lists
         pass
     raise BadInput(f"{path}: is damaged: its content and its digest differ, allowed: a checkpoint as `swarmanoid evolve` has written it")

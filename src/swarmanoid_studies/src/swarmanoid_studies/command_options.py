@@ -1,4 +1,4 @@
-"""Options that several commands have, and what they share of their rules."""
+"""Options shared by several commands, and their checks."""
 
 import os
 import re
@@ -24,7 +24,7 @@ def check_scheduler(address: str, option: str = "--scheduler") -> None:
 
 
 def check_worker_options(jobs: Optional[int], scheduler: Optional[str]) -> int:
-    """@return how many processes to start; 0 if a scheduler has them @raise BadInput"""
+    """@return number of processes to start; 0 if a scheduler provides them @raise BadInput"""
     from .workers import MOST_JOBS, allow_files
     if jobs is not None and scheduler is not None:
         raise BadInput("found --jobs and --scheduler, allowed: one of them")
@@ -42,5 +42,5 @@ def refuse_resume_with_force(is_resumed: bool, is_forced: bool) -> None:
 
 
 def portable(experiment: str) -> str:
-    """What workers are given: the full name of a file, or a name that they look up where they are."""
+    """Name of an experiment for workers: the absolute path of a file, or a name that they look up in their installation."""
     return os.path.abspath(experiment) if os.path.exists(experiment) else experiment

@@ -1,8 +1,8 @@
-"""Whether workers make runs of what the program has begun with: the suite and its mathematics, the experiment, the files that it
-names, what its scripts import, and the libraries.
+"""Check that workers use the same contents as the program: the suite and its mathematics library, the experiment, the files that it
+names, the imports of its scripts, and the libraries.
 
-The identity (identity.py) tells this once, when runs begin. Files may change while runs are made, and workers may join: so each
-worker looks, before its first run of an experiment and after each run."""
+The identity (identity.py) is compared once, when runs begin. Files may change while runs are made, and workers may join later, so
+each worker checks before its first run of an experiment and after each run."""
 
 import hashlib
 import os
@@ -24,7 +24,7 @@ def _digest(content: bytes) -> FrozenSet[str]:
 
 
 def _read(path: str) -> bytes:
-    """b"" if it is not there any more."""
+    """@return the content; b"" if the file no longer exists"""
     try:
         with open(path, "rb") as file:
             return file.read()
@@ -33,7 +33,7 @@ def _read(path: str) -> bytes:
 
 
 def contents_of(simulation: swarmanoid.Simulation) -> Contents:
-    """As files are now. The simulation is to be new, or its run just over. @raise OtherContents if a file is gone"""
+    """Contents by the current files. @pre the simulation is new, or its run just over @raise OtherContents if a file is missing"""
     try:
         record = simulation.record
     except (RuntimeError, ValueError) as error:
@@ -50,7 +50,7 @@ def contents_of(simulation: swarmanoid.Simulation) -> Contents:
 
 
 def merged(contents: Iterable[Contents]) -> Contents:
-    """Of all that a batch may read: other values may name other files. @param contents at least one"""
+    """Union of contents: runs of a batch with other values may name other files. @param contents at least one"""
     first, *others = contents
     digests = dict(first.digests)
     for other in others:

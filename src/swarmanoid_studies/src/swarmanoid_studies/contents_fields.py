@@ -1,10 +1,10 @@
-"""What runs are made of; who computes it is contents.py, which needs the simulator."""
+"""Contents of runs. contents.py computes them, and needs the simulator."""
 
 from typing import Dict, FrozenSet, NamedTuple
 
 
 class Contents(NamedTuple):
-    """Plain values, which any process can be sent."""
+    """Plain values, which can be sent to any process."""
     version: str
     math_library: str
     python: str
@@ -13,4 +13,4 @@ class Contents(NamedTuple):
 
 
 class OtherContents(Exception):
-    """A worker would make other runs."""
+    """A worker has other contents, so it would make other runs."""

@@ -1,8 +1,8 @@
-"""Sends runs to workers and takes their results; each run has a result, also if workers die.
+"""Sends runs to workers and receives their results; each run has a result, also if workers die.
 
-Short runs go in bundles, so that sending costs little beside them; a bundle takes some half a second. Runs that end their process
-have rows that say so, see makers.py. Dask gives what a dead worker had to others. A bundle that several workers died of is taken
-apart: each of its runs is made alone."""
+Short runs are sent in bundles of about half a second, to reduce the cost of sending. Runs that end their process have rows with that
+failure, see makers.py. Dask gives the bundles of a dead worker to others. If several workers died of a bundle, each of its runs is
+made alone."""
 
 import itertools
 import queue
@@ -21,18 +21,18 @@ from .runs import RunOutcome, RunRequest, lost
 
 BUNDLE_S = 0.5
 MOST_IN_BUNDLE = 50
-AHEAD = 2  # bundles a process, so that none waits for the next one
-LOOK_S = 1.0       # between looks at which workers there are [s]
-SILENCE_S = 5.0    # without workers, before that is reported [s]
-WAIT_S = 600.0     # without workers, before it ends: a cluster may start them after the batch [s]
+AHEAD = 2  # bundles per process, so that processes do not wait for the next one
+LOOK_S = 1.0       # interval between counts of workers [s]
+SILENCE_S = 5.0    # time without workers before a message [s]
+WAIT_S = 600.0     # time without workers before the program ends: a cluster may start them after the batch [s]
 Numbered = Tuple[int, RunRequest]
 
 
 class _Pace:
-    """How many runs make a bundle. Starts with one."""
+    """Chooses the number of runs per bundle. Starts with one."""
 
     def __init__(self) -> None:
-        self._run_s = 0.0  # of the last runs, weighted
+        self._run_s = 0.0  # weighted mean time of the last runs [s]
 
     def note(self, outcomes: Sequence[RunOutcome]) -> None:
         for outcome in outcomes:
@@ -41,12 +41,12 @@ class _Pace:
     def bundle(self, waiting: int, processes: int) -> int:
         if not self._run_s:
             return 1
-        even = -(-waiting // (AHEAD * processes))  # the last bundles are shared out
+        even = -(-waiting // (AHEAD * processes))  # the last runs are distributed evenly
         return max(1, min(MOST_IN_BUNDLE, even, int(BUNDLE_S / self._run_s)))
 
 
 class _Processes:
-    """How many there are: on a cluster they come and go, and may never come."""
+    """Counts the processes of workers: on a cluster workers may join and leave at any time."""
 
     def __init__(self, client: Client) -> None:
         self._client = client
@@ -56,14 +56,14 @@ class _Processes:
         self._is_reported = False
 
     def count(self) -> int:
-        """@raise RunsStopped if there were none for too long"""
+        """@raise RunsStopped if there were no workers for too long"""
         now = time.monotonic()
         if now >= self._next_look:
             self._count = sum(self._client.nthreads().values())
             self._next_look = now + LOOK_S
             if self._count:
                 self._last_seen = now
-            elif self._client.cluster is None:   # of this computer: worker_processes starts them again
+            elif self._client.cluster is None:   # on this computer worker_processes restarts them
                 self._report(now - self._last_seen)
         return max(1, self._count)
 
@@ -87,12 +87,12 @@ def _result(future: Future) -> List[RunOutcome]:
         raise
     except OtherContents as others:
         raise RunsStopped(str(others)) from None
-    except Exception as error:  # runs that fail return: this is of Dask, or of a worker that lacks something
+    except Exception as error:  # not a failed run, which returns: an error of Dask, or of an incomplete worker
         raise RunsStopped(f"the workers are lost: {type(error).__name__}: {error}") from error
 
 
 class _Sent:
-    """Bundles that are on their way, and those that came back."""
+    """Bundles sent to workers, and finished ones."""
 
     def __init__(self, client: Client, processes: _Processes) -> None:
         self._client = client
@@ -109,7 +109,7 @@ class _Sent:
         future.add_done_callback(self._finished.put)
 
     def take(self) -> Tuple[Future, List[Numbered]]:
-        """Waits for the next one. @raise RunsStopped, KeyboardInterrupt"""
+        """Waits for the next finished bundle. @raise RunsStopped, KeyboardInterrupt"""
         while True:
             hear_interrupts()
             try:
@@ -120,7 +120,7 @@ class _Sent:
 
 
 def _alone(sent: _Sent, suspects: Sequence[Numbered]) -> Iterator[Tuple[int, RunOutcome]]:
-    """@param sent nothing is on its way"""
+    """Makes each run in a bundle of its own. @param sent without pending bundles"""
     for number, request in suspects:
         start_s = time.perf_counter()
         sent.send([(number, request)])
@@ -134,8 +134,8 @@ def _alone(sent: _Sent, suspects: Sequence[Numbered]) -> Iterator[Tuple[int, Run
 
 
 def outcomes(client: Client, requests: Iterable[Numbered], count: int) -> Iterator[Tuple[int, RunOutcome]]:
-    """Makes all runs. @param requests taken as they are needed @param count how many there are
-    @return number of the request and its outcome, each once, in the order in which they are done
+    """Makes all runs. @param requests consumed on demand @param count number of requests
+    @return number of each request and its outcome, in the order of completion
     @raise RunsStopped if the scheduler is lost, or has no workers for too long"""
     waiting, left = iter(requests), count
     suspects: List[Numbered] = []
@@ -158,6 +158,6 @@ def outcomes(client: Client, requests: Iterable[Numbered], count: int) -> Iterat
             suspects += bundle
             results = []
         pace.note(results)
-        send()  # before the rows are written: workers go on
+        send()  # before rows are written, so that workers stay busy
         yield from ((number, outcome) for (number, _), outcome in zip(bundle, results))
     yield from _alone(sent, suspects)

@@ -1,4 +1,4 @@
-"""What an evolution leaves in its folder: a table, a picture, and the best genotypes as experiment files."""
+"""Output files of an evolution: a table, a picture, and the best genotypes as experiment files."""
 
 import itertools
 import json
@@ -13,24 +13,24 @@ from .pictures import png, pyplot
 from .results_file import line_of, text_of
 from .study import Study
 
-WIDE = 100   # times the least value: a picture with greater ones has a logarithmic axis
+WIDE = 100   # ratio of largest to smallest value above which a picture has a logarithmic axis
 
 
 def write_files(folder: str, study: Study, identity: Identity, evolution: Evolution) -> List[str]:
-    """@return the experiment files @raise OSError"""
+    """@return paths of the experiment files @raise OSError"""
     write_atomically(os.path.join(folder, "generations.csv"), _table(study, identity, evolution))
     write_picture(folder, study, evolution)
     return _experiments(folder, study, identity, evolution)
 
 
 def write_picture(folder: str, study: Study, evolution: Evolution) -> None:
-    """Of the generations so far. @raise OSError"""
+    """Draws the generations so far. @raise OSError"""
     draw = _history if len(study.objectives) == 1 else _front
     write_atomically(os.path.join(folder, "fitness.png"), draw(study, evolution))
 
 
 def _table(study: Study, identity: Identity, evolution: Evolution) -> bytes:
-    """A row a genotype, each with what makes it again."""
+    """One row per genotype, with all data that reproduce its runs."""
     made_of = [*identity, " ".join(map(str, study.seeds))]
     lines = [line_of([*IDENTITY, "seeds", "overrides", "generation", "genotype", *(name for gene in study.genes for name in gene.names()),
                       *(each.metric for each in study.objectives)])]
@@ -43,11 +43,11 @@ def _table(study: Study, identity: Identity, evolution: Evolution) -> bytes:
 
 
 def _experiments(folder: str, study: Study, identity: Identity, evolution: Evolution) -> List[str]:
-    """Of one objective best.xml, of several front_1.xml and so on, by the first objective."""
+    """Writes best.xml for one objective, or front_1.xml and so on for several, ordered by the first objective."""
     names = ["best.xml"] if len(study.objectives) == 1 else [f"front_{i}.xml" for i in range(1, len(evolution.best) + 1)]
     for name in os.listdir(folder):
         if name.startswith("front_") and name.endswith(".xml") and name not in names:
-            os.unlink(os.path.join(folder, name))  # of a longer front
+            os.unlink(os.path.join(folder, name))  # from a longer front
     paths = [os.path.join(folder, name) for name in names]
     for path, found in zip(paths, evolution.best):
         record = checked(study.experiment, evolution.overrides(found.genotype)).record
@@ -65,7 +65,7 @@ def _comment(study: Study, identity: Identity, evolution: Evolution, found: Foun
     text += f"Seeds: {' '.join(map(str, study.seeds))}. Version: {identity.version}, {identity.math_library}.\n"
     text += f"Experiment: {identity.experiment}, fingerprint {identity.fingerprint}, with "
     text += ", ".join(f"{path}={value}" for path, value in evolution.overrides(found.genotype).items()) + "."
-    return text.replace("--", "- -")  # as comments of XML want it
+    return text.replace("--", "- -")  # not allowed in XML comments
 
 
 def _finite(values: Sequence[Optional[float]]) -> List[float]:
@@ -73,7 +73,7 @@ def _finite(values: Sequence[Optional[float]]) -> List[float]:
 
 
 def _history(study: Study, evolution: Evolution) -> bytes:
-    """One objective by generation: the best, the mean, all."""
+    """Draws one objective by generation: best, mean, and all values."""
     objective, = study.objectives
     choose = min if objective.is_minimised else max
     figure, axes = pyplot.subplots(figsize=(7, 4.5))
@@ -97,7 +97,7 @@ def _history(study: Study, evolution: Evolution) -> bytes:
 
 
 def _front(study: Study, evolution: Evolution) -> bytes:
-    """The first two objectives against each other, by generation, and the front."""
+    """Draws the first two objectives against each other, by generation, and the front."""
     figure, axes = pyplot.subplots(figsize=(7, 4.5))
     points = [(number, *row[:2]) for number, generation in enumerate(evolution.generations, 1) for row in generation.values
               if row[0] is not None and row[1] is not None]
@@ -114,7 +114,7 @@ def _front(study: Study, evolution: Evolution) -> bytes:
 
 
 def _finished(figure: pyplot.Figure, study: Study) -> bytes:
-    """PNG."""
+    """@return the figure as PNG"""
     figure.axes[0].set_title(study.name)
     figure.axes[0].grid(alpha=0.3)
     return png(figure)

@@ -1,4 +1,4 @@
-"""`swarmanoid evolve`: evolves parameters of an experiment, as a study file says."""
+"""`swarmanoid evolve`: evolves parameters of an experiment, as defined by a study file."""
 
 import argparse
 import json
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from .evolution import Evolution
 
-MOST_TOLD = 10   # runs with failed controllers that are told of one by one
+MOST_TOLD = 10   # runs with failed controllers that are reported individually
 
 
 def _arguments() -> Arguments:
@@ -39,7 +39,7 @@ def _arguments() -> Arguments:
 
 
 def _refuse_bad_values(study: Study) -> None:
-    """Builds the experiment with the ends of each range, the other genes being in the middle. @raise BadInput"""
+    """Builds the experiment with both ends of each range and the middle of all other ranges. @raise BadInput"""
     middle = study.texts([0.5] * study.size())
     for gene in study.genes:
         for part in (0.0, 1.0):
@@ -55,7 +55,7 @@ def _refuse_bad_values(study: Study) -> None:
 
 
 def made_of(study: Study, identity: Identity) -> Dict[str, object]:
-    """What must be the same when an evolution is continued; it may have more generations."""
+    """Properties that must be equal when an evolution is continued; the number of generations may differ."""
     parameters = {name: value for name, value in study.optimiser.parameters.items() if name != "generations"}
     return {**identity._asdict(), "overrides": study.overrides,
             "genes": [[gene.path, gene.minimum, gene.maximum, gene.count] for gene in study.genes],
@@ -64,7 +64,8 @@ def made_of(study: Study, identity: Identity) -> Dict[str, object]:
 
 
 def _open_folder(folder: str, checkpoint: str, arguments: argparse.Namespace) -> None:
-    """Before the checkpoint is read, so that no other program adds to it meanwhile. @raise BadInput if something is in the way"""
+    """Creates and locks the folder before the checkpoint is read, so that no other program adds to it meanwhile.
+    @raise BadInput if the folder is in use, cannot be written, or has a checkpoint already"""
     if not arguments.resume and not arguments.force and os.path.lexists(checkpoint):
         raise BadInput(f"{checkpoint}: found a file, allowed: another --out, --resume to continue it, or --force to replace it")
     try:
@@ -116,7 +117,7 @@ def _main() -> int:
 
 def _evolve(study: Study, evolution: "Evolution", generations: int, client: "Client", is_quiet: bool,
             keep: Callable[[], None]) -> bool:
-    """@param keep called after each generation @return whether it went to its end"""
+    """@param keep called after each generation @return whether all generations were made"""
     runs = evolution.population() * len(study.seeds)
     progress = Progress(study.name, generations * runs, len(evolution.generations) * runs, is_quiet)
     try:

@@ -1,4 +1,4 @@
-"""The runs of a batch: each combination of values with each seed. Runs have numbers, and are made as they are needed."""
+"""The runs of a batch: each combination of values with each seed. Runs are numbered, and requests created on demand."""
 
 import re
 from typing import Dict, NamedTuple, Optional, Sequence, Tuple
@@ -13,7 +13,7 @@ SEED_PATH = "framework.random_seed"
 
 
 class Axis(NamedTuple):
-    """A value of the experiment file, and what it is in turn."""
+    """A value of the experiment file that is varied, with its settings."""
     path: str
     values: Tuple[str, ...]
 
@@ -30,10 +30,10 @@ class Grid(NamedTuple):
 
 
 class Requests(Sequence[RunRequest]):
-    """Of all runs of a grid, by number. Seeds change first, so that workers keep what they have read."""
+    """Requests for all runs of a grid, by number. Seeds vary fastest, so that workers can reuse loaded experiments."""
 
     def __init__(self, grid: Grid, experiment: str, shared: Dict[str, str], expected: Optional[Contents] = None) -> None:
-        """@param shared overrides of all runs @param expected what all are to be made of"""
+        """@param shared overrides of all runs @param expected contents that all runs must have"""
         self._grid = grid
         self._experiment = experiment
         self._shared = tuple(shared.items())
@@ -54,7 +54,7 @@ class Requests(Sequence[RunRequest]):
         return RunRequest(self._experiment, (*self._shared, *reversed(chosen)), self._grid.seeds[place], self._expected)
 
     def number(self, values: Sequence[str], seed: str) -> Optional[int]:
-        """Of the run with these values, one an axis; None: the grid has no such run."""
+        """Number of the run with these values, one per axis; None if the grid has no such run."""
         number = 0
         for places, value in zip(self._places, values):
             if value not in places:
@@ -65,7 +65,7 @@ class Requests(Sequence[RunRequest]):
 
 
 def parse_axis(text: str) -> Axis:
-    r"""Of "path=a,b,c"; a comma inside of a value is written "\,". @raise BadInput"""
+    r"""Parses "path=a,b,c"; a comma in a value is written "\,". @raise BadInput"""
     path, equals, values = text.partition("=")
     if not equals or not path:
         raise BadInput(f"--set: found '{shown(text)}', allowed: path=value or path=value,value,...")

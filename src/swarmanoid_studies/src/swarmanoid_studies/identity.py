@@ -1,7 +1,7 @@
-"""What makes runs of different days or computers comparable: the suite, its mathematics, the experiment with all its files.
+"""Identity of runs: the suite, its mathematics library, and the experiment with all its files. Runs with equal identity are
+comparable, also if made on other days or computers.
 
-A results file and a checkpoint carry it, and are not continued with another one; workers must have that of the program that
-asks them."""
+Results files and checkpoints contain it, and are not continued with another one; workers must have the identity of the program."""
 
 import functools
 import hashlib
@@ -17,7 +17,7 @@ from .mistakes import BadInput
 
 @functools.lru_cache(maxsize=1)
 def version() -> str:
-    """As `swarmanoid --version` prints it."""
+    """The version that `swarmanoid --version` prints."""
     done = subprocess.run(["swarmanoid", "--version"], stdout=subprocess.PIPE, text=True, check=True, stdin=subprocess.DEVNULL)
     return done.stdout.split()[-1]
 
@@ -41,7 +41,7 @@ def identity_of(simulation: swarmanoid.Simulation) -> Identity:
 
 
 def identify(experiment: str, overrides: Mapping[str, str]) -> Identity:
-    """Of the experiment as this process finds it: asked of each worker."""
+    """Identity of the experiment in this process; the program calls it in each worker."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return identity_of(checked(experiment, overrides))

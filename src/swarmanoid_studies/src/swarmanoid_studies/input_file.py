@@ -1,4 +1,4 @@
-"""Opening of files that other programs or users may have damaged, and words of messages about what is in them.
+"""Opens files that other programs or users may have damaged, and formats their content for messages.
 
 Each format has one reader: study_file (XML), checkpoint (JSON), results_rows (CSV)."""
 
@@ -9,15 +9,15 @@ from typing import BinaryIO
 
 from .mistakes import BadInput
 
-MOST_SHOWN = 80   # characters of what was found
-NUMBER = re.compile(r"[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")   # a finite one, in all files
+MOST_SHOWN = 80   # characters of a quoted value in messages
+NUMBER = re.compile(r"[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")   # a finite number, in all file formats
 
 
 def open_file(path: str) -> BinaryIO:
-    """Opens a regular file; pipes and devices, which could be endless, are refused. @raise BadInput"""
+    """Opens a regular file; rejects pipes and devices, which could be endless. @raise BadInput"""
     try:
         file = os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
-    except (OSError, ValueError) as error:  # ValueError: a name that no file can have
+    except (OSError, ValueError) as error:  # ValueError: an invalid file name
         raise BadInput(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
     if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
         file.close()
@@ -26,7 +26,7 @@ def open_file(path: str) -> BinaryIO:
 
 
 def read_file(path: str, most: int) -> bytes:
-    """@param most bytes that are allowed @raise BadInput"""
+    """@param most maximum size [bytes] @raise BadInput"""
     with open_file(path) as file:
         size = os.fstat(file.fileno()).st_size
         if size > most:
@@ -38,7 +38,7 @@ def read_file(path: str, most: int) -> bytes:
 
 
 def shown(value: object) -> str:
-    """What was found, as a message has it: one line, and not too long."""
+    """A value for messages: on one line, and shortened."""
     text = str(value)
     kept = "".join(character if character.isprintable() else repr(character)[1:-1] for character in text[:MOST_SHOWN])
     return kept if len(text) <= MOST_SHOWN else f"{kept}... ({len(text)} characters)"

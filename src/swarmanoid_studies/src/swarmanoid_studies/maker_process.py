@@ -1,5 +1,5 @@
-"""The body of a process that makes runs for a worker, see makers.py. Whatever goes wrong in it, it ends without a word: the worker
-sees that, and reports it in a row."""
+"""The body of a process that makes runs for a worker, see makers.py. On any error it ends silently; the worker detects that, and
+reports it in a row."""
 
 import fcntl
 import os
@@ -10,21 +10,21 @@ from multiprocessing.connection import Connection
 
 
 def _end_with_worker(life: int) -> None:
-    """Ends this process, and what it has started, when the worker ends, also in the middle of a run. The kernel does it, since user
-    code may never give Python's lock back. @param life a pipe whose other end only the worker has"""
+    """Ends this process and its children when the worker ends, also in the middle of a run. The kernel does it, since user code may
+    never release the GIL. @param life a pipe whose other end only the worker has"""
     fcntl.fcntl(life, fcntl.F_SETOWN, -os.getpid())   # the group
     fcntl.fcntl(life, fcntl.F_SETSIG, signal.SIGKILL)
     fcntl.fcntl(life, fcntl.F_SETFL, fcntl.fcntl(life, fcntl.F_GETFL) | os.O_ASYNC)
-    if select.select([life], [], [], 0)[0]:           # the worker ended before
+    if select.select([life], [], [], 0)[0]:           # the worker has already ended
         os.killpg(0, signal.SIGKILL)
 
 
 def _serve(connection: Connection) -> None:
-    """Sends why it cannot begin, or nothing, then an answer for each request."""
+    """Sends the reason why it cannot start, or an empty string, and then an answer to each request."""
     try:
         from .contents_fields import OtherContents
         from .run_maker import make_run
-    except Exception as error:  # such as a library that is missing
+    except Exception as error:  # such as a missing library
         connection.send(f"{type(error).__name__}: {error}")
         raise
     connection.send("")
@@ -38,7 +38,7 @@ def _serve(connection: Connection) -> None:
 
 
 def main() -> None:
-    """Arguments: the numbers of the connection, and of a pipe that closes when the worker ends."""
+    """Arguments: the descriptors of the connection, and of a pipe that closes when the worker ends."""
     connection, life = int(sys.argv[1]), int(sys.argv[2])
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:

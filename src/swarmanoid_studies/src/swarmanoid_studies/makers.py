@@ -1,7 +1,7 @@
-"""The process in which a worker has its runs made.
+"""The maker: a separate process that makes the runs of a worker.
 
-Controllers, rules and libraries of users may crash, close files that are not theirs, or send signals: that ends their process, the
-maker, and not the worker, which then starts another one. So a worker can tell which run it was, and no other run is lost."""
+Controllers, rules and libraries of users may crash, close foreign files, or send signals. This ends the maker and not the worker,
+which then starts another maker. So the worker knows which run failed, and no other run is lost."""
 
 import os
 import signal
@@ -17,27 +17,27 @@ from .contents_fields import OtherContents
 from .mistakes import RunsStopped
 from .runs import RunOutcome, RunRequest, lost, one_line
 
-MOST_TRIES = 3           # of a run: its process may have been ended by others
-MOST_FAILED_STARTS = 10  # one after another
+MOST_TRIES = 3           # per run: other programs may have ended its process
+MOST_FAILED_STARTS = 10  # in a row
 MAIN = "from swarmanoid_studies.maker_process import main; main()"
 
 _maker: Optional["_Maker"] = None
 
 
 class _Ended(Exception):
-    """The maker is gone, and how."""
+    """The maker has ended; the message has its signal or exit code."""
 
 
 class _Maker:
-    """A process, from its start on; it ends with this one."""
+    """A running maker; it ends with this process."""
 
     def __init__(self) -> None:
         own, its = socket.socketpair()
-        worker_lives, self._worker_lives = Pipe(duplex=False)   # only this process has the end that is written to
+        worker_lives, self._worker_lives = Pipe(duplex=False)   # only this process has the write end
         with its, worker_lives:
             numbers = [its.fileno(), worker_lives.fileno()]
-            # -P: modules are not looked for in the current folder. A session of its own: signals that user code sends to its group
-            # reach nothing else. Standard output is the program's
+            # -P: no imports from the current folder. A session of its own: signals of user code to its process group do not reach
+            # other processes. Standard output is redirected, since it carries the program's result
             self._process = subprocess.Popen([sys.executable, "-P", "-c", MAIN, *map(str, numbers)], stdout=2,
                                              stdin=subprocess.DEVNULL, pass_fds=numbers, start_new_session=True)
         self._connection = Connection(own.detach())
@@ -65,7 +65,8 @@ class _Maker:
             yield answer
 
     def _receive(self) -> object:
-        """Not by waiting for the end of the connection alone: processes that user code has started may hold it open."""
+        """Waits for an answer or the end of the process. Waiting for the connection alone is not enough, since child processes
+        of user code may hold it open. @raise _Ended"""
         wait([self._connection, self._life])
         try:
             if self._connection.poll():
@@ -75,7 +76,7 @@ class _Maker:
         raise self._ended()
 
     def _ended(self) -> _Ended:
-        has_ended = wait([self._life], timeout=1.0)   # it may be about to; its number stays its own until `end` has used it
+        has_ended = wait([self._life], timeout=1.0)   # it may be about to end; its pid is not reused before `end` waits for it
         self.end()
         if not has_ended:
             return _Ended("it closed its connection")
@@ -86,7 +87,7 @@ class _Maker:
         if self._connection.closed:
             return
         try:
-            os.killpg(self._process.pid, signal.SIGKILL)   # and what it has started
+            os.killpg(self._process.pid, signal.SIGKILL)   # with its child processes
         except ProcessLookupError:
             pass
         self._process.wait()
@@ -96,7 +97,7 @@ class _Maker:
 
 
 def _name(number: int) -> str:
-    """Of a signal; those of real time have none."""
+    """Name of a signal; real-time signals have only numbers."""
     try:
         return signal.Signals(number).name
     except ValueError:
@@ -104,7 +105,7 @@ def _name(number: int) -> str:
 
 
 def start() -> None:
-    """Begins a maker, so that the first run need not wait for it."""
+    """Starts a maker if there is none, so that the first run does not wait for it."""
     global _maker
     _maker = _maker or _Maker()
 
@@ -118,7 +119,7 @@ def stop() -> None:
 
 
 def _running() -> _Maker:
-    """@raise RunsStopped"""
+    """Starts a maker if necessary, and waits until it is up. @raise RunsStopped"""
     problem = ""
     for _ in range(MOST_FAILED_STARTS):
         try:
@@ -134,7 +135,7 @@ def _running() -> _Maker:
 
 
 def make_runs(requests: Sequence[RunRequest]) -> List[RunOutcome]:
-    """Called in a worker, by one thread at a time. @raise OtherContents, RunsStopped"""
+    """Makes runs, in a worker, by one thread at a time. @raise OtherContents, RunsStopped"""
     made: List[RunOutcome] = []
     tries, start_s = 0, time.perf_counter()
     while len(made) < len(requests):
@@ -150,6 +151,6 @@ def make_runs(requests: Sequence[RunRequest]) -> List[RunOutcome]:
                 made.append(lost(reason)._replace(wall_s=time.perf_counter() - start_s))
                 tries, start_s = 0, time.perf_counter()
         except BaseException:
-            stop()   # it may have more of the requests before it, or have sent a part of an answer
+            stop()   # it may have pending requests, or have sent a part of an answer
             raise
     return made

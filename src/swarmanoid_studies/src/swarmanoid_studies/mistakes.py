@@ -1,4 +1,4 @@
-"""Bad input, and how programs end: as docs/reference/program.md states for `swarmanoid`."""
+"""Errors in input, and exit codes of programs, as docs/reference/program.md states for `swarmanoid`."""
 
 import argparse
 import contextlib
@@ -11,15 +11,15 @@ FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
 
 
 class BadInput(Exception):
-    """A mistake of the user: where, what was found, what is allowed."""
+    """An error of the user; the message has its location, the value found and the values allowed."""
 
 
 class RunsStopped(Exception):
-    """What was asked for cannot be completed: a run has no result, or something could not be written."""
+    """The request cannot be completed: a run has no result, or a file could not be written."""
 
 
 class Arguments(argparse.ArgumentParser):
-    """Says what is wrong in one line, as the program `swarmanoid` does."""
+    """Reports errors in one line, as the program `swarmanoid` does."""
 
     def __init__(self, command: str, description: str) -> None:
         super().__init__(prog=f"swarmanoid {command}", description=description, allow_abbrev=False)
@@ -29,8 +29,8 @@ class Arguments(argparse.ArgumentParser):
 
 
 class _Interrupts:
-    """One that came and was not raised: it was held, or it was lost, as Python ignores an exception that comes while a callback
-    of its garbage collector or a destructor runs, and libraries have such."""
+    """A pending interrupt: it was held, or lost, since Python ignores exceptions in destructors and in callbacks of its garbage
+    collector, which libraries have."""
     is_waiting = False
     is_held = False
 
@@ -50,7 +50,7 @@ def _note_lost(ignored: "sys.UnraisableHookArgs") -> None:
 
 
 def hear_interrupts() -> None:
-    """Raises an interrupt that was not raised. Programs call it where they take results."""
+    """Raises a pending interrupt. Programs call it where they receive results."""
     if _Interrupts.is_waiting:
         _Interrupts.is_waiting = False
         raise KeyboardInterrupt
@@ -58,8 +58,8 @@ def hear_interrupts() -> None:
 
 @contextlib.contextmanager
 def interrupts_held() -> Iterator[None]:
-    """For what is done as a whole or not at all, such as a row and its count: an interrupt is raised after it. The program is
-    one that was started with `call`."""
+    """Delays interrupts until the end of an atomic action, such as writing a row and counting it. @pre the program was started
+    with `call`"""
     _Interrupts.is_held = True
     try:
         yield
@@ -69,23 +69,23 @@ def interrupts_held() -> Iterator[None]:
 
 
 def interrupted() -> int:
-    """Says how what was made so far is continued. @return the exit code"""
+    """Prints how to continue. @return the exit code"""
     print("swarmanoid: interrupted; --resume goes on", file=sys.stderr)
     return INTERRUPTED
 
 
 def print_result(text: str) -> None:
-    """The program's line on standard output. @raise RunsStopped"""
+    """Prints the program's line on standard output. @raise RunsStopped"""
     try:
         sys.stdout.write(text.encode(errors="backslashreplace").decode() + "\n")
         sys.stdout.flush()
     except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the interpreter flushes once more as it ends
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the interpreter flushes again at its end
         raise RunsStopped(f"standard output: cannot be written: {error.strerror}") from None
 
 
 def call(main: Callable[[], int]) -> int:
-    """Calls the body of a program. @return its exit code"""
+    """Runs the body of a program. @return its exit code"""
     sys.unraisablehook = _note_lost
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) != signal.SIG_IGN:  # as nohup sets it

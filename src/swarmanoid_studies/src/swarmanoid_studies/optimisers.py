@@ -1,10 +1,10 @@
 """Optimisers of DEAP behind one interface: `ask` for a population, `tell` its losses, generation by generation.
 
-Genotypes are lists of numbers from 0 to 1, parts of the genes' ranges; losses are minimised. What an optimiser asks for follows
-from its seed and the losses that it was told, so an evolution is continued by telling it again what it was told before.
+Genotypes are lists of numbers from 0 to 1, fractions of the genes' ranges; losses are minimised. An optimiser is a deterministic
+function of its seed and the losses passed to `tell`, so an evolution is continued by passing the same losses again.
 
-DEAP draws from the generators that a process shares. Dask, in threads of the same process, does so too; so here DEAP's modules
-are given a generator of their own for as long as they are called."""
+DEAP draws from the global generators of the process, which threads of Dask use, too. Therefore DEAP's modules get a generator of
+their own during each call."""
 
 import contextlib
 import functools
@@ -22,7 +22,7 @@ Genotype = List[float]
 Losses = Tuple[float, ...]
 DISTRIBUTION = 20.0   # index of simulated binary crossover and polynomial mutation, as in the NSGA-II paper
 TOURNAMENT = 3
-WORST = 1e300         # stands for a loss that is not finite: it can be compared and subtracted
+WORST = 1e300         # replaces a loss that is not finite, so that losses can be compared and subtracted
 
 
 class Optimiser(Protocol):
@@ -36,7 +36,7 @@ def _fitness_type(objectives: int) -> Type[base.Fitness]:
 
 
 class _Individual(list):
-    """A genotype with its fitness, as DEAP wants it."""
+    """A genotype with its fitness, in the form that DEAP requires."""
 
     def __init__(self, values: Sequence[float], objectives: int) -> None:
         super().__init__(float(value) for value in values)
@@ -62,13 +62,13 @@ def _drawing_from(generator: random.Random) -> Iterator[None]:
 
 
 def reflected(value: float) -> float:
-    """What leaves 0 to 1 is reflected at its ends, so that it has a fitness."""
+    """Reflects values outside 0 to 1 at the ends, so that all genotypes are valid."""
     value = abs(value) % 2.0
     return 2.0 - value if value > 1.0 else value
 
 
 class CmaEs(cma.Strategy):
-    """Covariance matrix adaptation. Starts anywhere, as `random_seed` says."""
+    """Covariance matrix adaptation. `random_seed` determines the start."""
 
     def __init__(self, genes: int, objectives: int, parameters: Dict[str, float]) -> None:
         self._generator = numpy.random.Generator(numpy.random.PCG64(int(parameters["random_seed"])))
@@ -89,14 +89,14 @@ class CmaEs(cma.Strategy):
 
 
 class _Genetic:
-    """What the genetic algorithms share: simulated binary crossover, polynomial mutation, within 0 to 1."""
+    """Base of the genetic algorithms: simulated binary crossover and polynomial mutation, within 0 to 1."""
 
     def __init__(self, genes: int, objectives: int, parameters: Dict[str, float]) -> None:
         self._generator = random.Random(int(parameters["random_seed"]))
         self._objectives = objectives
         self._size = int(parameters["population"])
         self._crossover = parameters["crossover"]
-        self._mutation = parameters["mutation"] or 1.0 / genes  # of each gene
+        self._mutation = parameters["mutation"] or 1.0 / genes  # probability per gene
         self._parents: List[_Individual] = []
         self._asked = [self._new([self._generator.random() for _ in range(genes)]) for _ in range(self._size)]
 
@@ -117,7 +117,7 @@ class _Genetic:
 
 
 class GeneticAlgorithm(_Genetic):
-    """Tournaments; the best one so far lives on."""
+    """Tournament selection; the best genotype so far survives."""
 
     def tell(self, losses: Sequence[Losses]) -> None:
         _judge(self._asked, losses)
@@ -146,7 +146,7 @@ def make_optimiser(choice: OptimiserChoice, genes: int, objectives: int) -> Opti
 
 
 def front(losses: Sequence[Losses]) -> List[int]:
-    """Indices of those that no other one is better than in all objectives, the best in the first objective first."""
+    """Indices of the non-dominated losses, ordered by the first objective."""
     individuals = [_Individual([index], len(losses[0])) for index in range(len(losses))]
     _judge(individuals, losses)
     found = tools.sortNondominated(individuals, len(individuals), first_front_only=True)[0] if individuals else []

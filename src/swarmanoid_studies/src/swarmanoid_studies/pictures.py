@@ -12,9 +12,10 @@ from matplotlib import pyplot  # noqa: E402
 
 
 def png(figure: pyplot.Figure, top: float = 1.0) -> bytes:
-    """Closes the figure. Equal figures give equal bytes. @param top where axes end, as a part of the height: titles are above"""
+    """Encodes and closes the figure. Equal figures give equal bytes. @param top upper end of the axes, as a fraction of the height;
+    titles are above"""
     data = io.BytesIO()
-    with warnings.catch_warnings():   # letters that the font lacks, labels that leave little room
+    with warnings.catch_warnings():   # missing glyphs, labels that need much space
         warnings.simplefilter("ignore")
         figure.tight_layout(rect=(0, 0, 1, top))
         figure.savefig(data, format="png", dpi=110, metadata={"Software": None})

@@ -1,4 +1,4 @@
-"""Pictures of a batch: each metric by value, its runs as points, its mean with the interval."""
+"""Pictures of a batch: each metric by value, with runs as points, and mean with its confidence interval."""
 
 from typing import List, Tuple
 
@@ -10,12 +10,12 @@ from .pictures import png, pyplot
 from .results_table import Results
 from .statistics import groups, interval, panels
 
-MOST_POINTS = 500      # shown of one value; the violin is of all
-MOST_VALUES = 50       # shown of a path; the table has all
-MOST_PANELS = 100      # of one picture
+MOST_POINTS = 500      # shown per value; the violin includes all
+MOST_VALUES = 50       # shown per path; the table has all
+MOST_PANELS = 100      # per picture
 MOST_LETTERS = 30      # of a value below the axis
-LARGEST = 1e100        # that can be drawn: squares of it are finite
-LEAST = 1e-100         # of what differs enough for a density: squares of it are not 0
+LARGEST = 1e100        # largest drawn magnitude: its square is finite
+LEAST = 1e-100         # smallest spread with a density: its square is not 0
 PANEL = (5.6, 3.6)     # inches
 TITLE = 0.5            # inches above all panels of a picture
 
@@ -38,7 +38,7 @@ def _draw_value(axes: Axes, place: int, values: numpy.ndarray) -> None:
         for body in axes.violinplot([values], [place], widths=0.8, showextrema=False)["bodies"]:
             body.set(facecolor="tab:blue", alpha=0.2)
     points = values[:MOST_POINTS]
-    sideways = numpy.random.default_rng(0).uniform(-0.12, 0.12, len(points))  # so that equal ones can be seen
+    sideways = numpy.random.default_rng(0).uniform(-0.12, 0.12, len(points))  # so that equal values do not overlap
     axes.plot(place + sideways, points, ".", color="tab:blue", alpha=0.4, markersize=3)
     mean, low, high = interval(values)
     if numpy.isfinite(low):
@@ -52,14 +52,14 @@ def _short(value: str) -> str:
 
 
 def picture(results: Results, metric: str, path: str) -> bytes:
-    """PNG of one metric by the values of one path."""
+    """Picture of one metric by the values of one path, as PNG."""
     figure, axes = pyplot.subplots(figsize=PANEL)
     draw(axes, results, metric, path)
     return png(figure)
 
 
 def all_pictures(results: Results, title: str) -> bytes:
-    """PNG of all of them, the title above them."""
+    """All pictures below a title, as one PNG."""
     wanted: List[Tuple[str, str]] = panels(results)
     if len(wanted) > MOST_PANELS:
         title += f" (first {MOST_PANELS} of {len(wanted)} pictures; an .html has all)"

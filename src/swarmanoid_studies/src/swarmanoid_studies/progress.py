@@ -1,14 +1,14 @@
-"""How far many runs are: one line that is redrawn on a terminal, else a line each tenth, as `swarmanoid run` has it."""
+"""Progress of many runs: one line that is redrawn on a terminal, otherwise a line per tenth, as in `swarmanoid run`."""
 
 import sys
 import time
 
 WIDTH = 40
-BETWEEN_S = 0.1  # from one picture to the next
+BETWEEN_S = 0.1  # between two redraws
 
 
 def duration(seconds: float) -> str:
-    """"3 min 7 s"."""
+    """Text such as "3 min 7 s"."""
     whole = round(seconds)
     for name, unit, smaller, of_smaller in (("d", 86400, "h", 3600), ("h", 3600, "min", 60), ("min", 60, "s", 1)):
         if whole >= unit:
@@ -18,7 +18,7 @@ def duration(seconds: float) -> str:
 
 class Progress:
     def __init__(self, title: str, total: int, done: int = 0, is_quiet: bool = False) -> None:
-        """@param done runs that an earlier program has made"""
+        """@param done runs made earlier, before a resume"""
         self._title, self._total, self._done, self._failed = title, total, done, 0
         self._before = done
         self._start = time.monotonic()
@@ -28,7 +28,7 @@ class Progress:
         self._tenth = done * 10 // max(total, 1) + 1
 
     def note(self, is_failed: bool) -> None:
-        """One run more is done."""
+        """Counts one more run."""
         self._done += 1
         self._failed += is_failed
         now = time.monotonic()
@@ -46,7 +46,7 @@ class Progress:
             print(file=sys.stderr)
 
     def say(self, line: str) -> None:
-        """A line of its own, above the one that is redrawn."""
+        """Prints a line above the redrawn one."""
         if not self._is_quiet:
             print(f"\r{line}\x1b[K" if self._is_terminal else line, file=sys.stderr, flush=True)
 

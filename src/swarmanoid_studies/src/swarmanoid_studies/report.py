@@ -1,4 +1,4 @@
-"""The report of a batch: one HTML file with its pictures in it, or one PNG."""
+"""The report of a batch: one HTML file with embedded pictures, or one PNG."""
 
 import base64
 import html

@@ -1,4 +1,4 @@
-"""`swarmanoid report`: the report of a CSV file that a batch has written."""
+"""`swarmanoid report`: the report of a CSV file of a batch."""
 
 import os
 

@@ -11,7 +11,7 @@ OUTCOME = ("success", "ticks", "wall_s", "state_hash", "failure", "overrides")
 
 
 class Columns(NamedTuple):
-    """The columns of a file between those that all files have."""
+    """The columns that depend on the batch; all files share the others."""
     paths: Tuple[str, ...]
     metrics: Tuple[str, ...]
 
@@ -20,7 +20,7 @@ class Columns(NamedTuple):
 
 
 def columns_of(header: Sequence[str], file: str) -> Columns:
-    """@raise BadInput if it is no file of a batch"""
+    """@raise BadInput if the header is not of a batch"""
     own = len(Identity._fields)
     for name, count in collections.Counter(header).items():
         if count > 1:

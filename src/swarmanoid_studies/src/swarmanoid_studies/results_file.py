@@ -1,8 +1,8 @@
-"""The CSV file of a batch: one row a run, written when the run is done.
+"""The CSV file of a batch: one row per run, written after the run.
 
-A row is one call of the system, so the file has whole lines whenever the program dies; what a full disk has cut off is taken away
-when it is continued. Columns: the identity of the runs (identity.py), the paths of --set, `seed`, what came of the run, its
-metrics."""
+A row is written by one system call, so the file has whole lines even if the program is killed; a row truncated by a full disk is
+removed when the batch is continued. Columns: the identity of the runs (identity.py), the paths of --set, `seed`, the outcome of the
+run, its metrics."""
 
 import csv
 import io
@@ -22,7 +22,7 @@ from .runs import Metric, RunOutcome, RunRequest, one_line
 
 
 def text_of(value: object) -> str:
-    """Numbers keep all their digits, and a row is a line."""
+    """Text of a cell: numbers with all digits, and strings without line breaks."""
     if value is None:
         return ""
     if isinstance(value, bool):
@@ -32,14 +32,14 @@ def text_of(value: object) -> str:
 
 
 def line_of(values: Sequence[object]) -> bytes:
-    """Of a CSV file."""
+    """A line of a CSV file."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerow([text_of(value) for value in values])
     return text.getvalue().encode(errors="backslashreplace")
 
 
 def overrides_text(request: RunRequest) -> str:
-    """All of them, also those that all runs of the batch share: with the seed what makes the run again."""
+    """All overrides of a run, including those of the whole batch. With the seed they reproduce the run."""
     return json.dumps([f"{path}={value}" for path, value in request.overrides])
 
 
@@ -53,12 +53,12 @@ class ResultsFile:
         self._file = -1
 
     def refuse_existing(self) -> None:
-        """Asked early, before anything is made. @raise BadInput"""
+        """Early check, before any run. @raise BadInput if the file exists"""
         if os.path.lexists(self._path):
             raise self._exists()
 
     def create(self, is_replaced: bool) -> None:
-        """@param is_replaced a file that is there @raise BadInput, RunsStopped"""
+        """@param is_replaced whether an existing file is replaced @raise BadInput, RunsStopped"""
         try:
             self._file = os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_APPEND | (0 if is_replaced else os.O_EXCL), 0o666)
         except FileExistsError:
@@ -74,7 +74,7 @@ class ResultsFile:
 
     def resume(self, wanted: Requests) -> bytearray:
         """Continues a file. @param wanted runs of the batch
-        @return by their number, 1: it is in the file @raise BadInput if it is the file of another batch"""
+        @return by number of the run, 1 if it is in the file @raise BadInput if the file is of another batch"""
         try:
             self._file = os.open(self._path, os.O_RDWR | os.O_APPEND)
         except OSError as error:
@@ -93,7 +93,7 @@ class ResultsFile:
         """@raise RunsStopped"""
         values: Dict[str, Metric] = outcome.metrics
         unknown = sorted(set(values) - set(self._columns.metrics))
-        if unknown:  # overrides have brought another rule in
+        if unknown:  # overrides have added a rule
             outcome = outcome._replace(failure=f"{outcome.failure} metrics without a column: {', '.join(unknown)}".strip())
         overrides = dict(request.overrides)
         row = [*self._identity, *(overrides[path] for path in self._columns.paths), request.seed, outcome.success, outcome.ticks,
@@ -120,10 +120,10 @@ class ResultsFile:
         """@raise RunsStopped"""
         written = 0
         try:
-            while written < len(line):   # a second call says why the first one has written a part
+            while written < len(line):   # after a partial write, the second call raises the error
                 written += os.write(self._file, line[written:])
         except OSError as error:
-            os.ftruncate(self._file, os.fstat(self._file).st_size - written)   # the beginning of a row is worth nothing
+            os.ftruncate(self._file, os.fstat(self._file).st_size - written)   # removes the incomplete row
             raise unwritable(self._path, error) from None
 
     def _read(self, wanted: Requests) -> bytearray:

@@ -1,4 +1,4 @@
-"""Rows of a batch's CSV file, read strictly and one by one: a row is a line, and a mistake is reported with its line."""
+"""Reads a batch's CSV file strictly and row by row. A row is a line, and errors are reported with their line."""
 
 import csv
 import re
@@ -10,7 +10,7 @@ from .results_columns import Columns, columns_of
 from .seeds import LARGEST_SEED
 
 MOST_LINE = 1 << 20   # bytes of a line
-csv.field_size_limit(MOST_LINE)   # a metric may be a long text
+csv.field_size_limit(MOST_LINE)   # a metric may be a long string
 DIGITS = re.compile(r"0|[1-9][0-9]{0,19}")
 HASH = re.compile(r"([0-9a-f]{16})?")
 
@@ -19,17 +19,17 @@ class RowReader:
     """Reads a file from its beginning."""
 
     def __init__(self, file: BinaryIO, path: str) -> None:
-        """@raise BadInput if it is no file of a batch"""
+        """@raise BadInput if the file is not of a batch"""
         self._lines = file
         self._path = path
         self._line = 0
-        self.whole_bytes = 0   # up to the end of the last row that is whole
+        self.whole_bytes = 0   # up to the end of the last complete row
         header = self._next()
         self.is_empty = header is None
         self.columns = Columns((), ()) if header is None else columns_of(header, path)
 
     def rows(self) -> Iterator[Tuple[int, List[str]]]:
-        """Line and cells of each whole row. @raise BadInput"""
+        """Line number and cells of each complete row. @raise BadInput"""
         names = self.columns.names()
         seed = names.index("seed")
         while (row := self._next()) is not None:
@@ -39,7 +39,7 @@ class RowReader:
             yield self._line, row
 
     def _next(self) -> Optional[List[str]]:
-        """The next row; None at the end, or at a row that was cut off. @raise BadInput"""
+        """The next row; None at the end, or at an incomplete row. @raise BadInput"""
         line = self._lines.readline(MOST_LINE)
         self._line += 1
         if not line.endswith(b"\n"):

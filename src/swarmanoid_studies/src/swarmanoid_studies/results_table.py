@@ -1,4 +1,4 @@
-"""A batch's CSV file as columns, for statistics: numbers as arrays, what is the same in many rows once."""
+"""A batch's CSV file as columns, for statistics: numbers as arrays, and repeated strings stored once."""
 
 import array
 from typing import Dict, Iterable, List, NamedTuple, Sequence, Tuple
@@ -11,31 +11,31 @@ from .mistakes import BadInput
 from .results_columns import Columns
 from .results_rows import RowReader
 
-MOST_FAILURES = 100   # that are kept
+MOST_FAILURES = 100   # stored failures
 TRUTH = {"true": 1.0, "false": 0.0, "": float("nan"), "nan": float("nan"), "inf": float("inf"), "-inf": float("-inf")}
 
 
 class Axis(NamedTuple):
     """Values of a path."""
-    values: Tuple[str, ...]   # numbers by size, else by alphabet: rows are in no order
-    places: numpy.ndarray     # (rows,): of the row's value in `values`
+    values: Tuple[str, ...]   # sorted, numerically if all are numbers: the order of rows is arbitrary
+    places: numpy.ndarray     # (rows,): index of the row's value in `values`
 
 
 class Results(NamedTuple):
     columns: Columns
-    count: int                          # of rows
-    identity: Dict[str, List[str]]      # by column, in the order of the rows, each once
+    count: int                          # number of rows
+    identity: Dict[str, List[str]]      # distinct values by column, in the order of the rows
     axes: Dict[str, Axis]               # by path
     seeds: numpy.ndarray                # (rows,)
-    metrics: Dict[str, numpy.ndarray]   # (rows,) each, NaN where a run has none; true and false are 1 and 0
-    texts: Tuple[str, ...]              # metrics that are no numbers
-    wall_s: float                       # of all runs
+    metrics: Dict[str, numpy.ndarray]   # (rows,) each, NaN if a run lacks it; true and false are 1 and 0
+    texts: Tuple[str, ...]              # names of metrics that are no numbers
+    wall_s: float                       # sum over all runs [s]
     failed: int
-    failures: List[Tuple[str, ...]]     # the first of them: values of the paths, the seed, what went wrong
+    failures: List[Tuple[str, ...]]     # the first ones: values of the paths, seed, reason
 
 
 class _Values:
-    """A column of few different texts."""
+    """A column of strings with few distinct values."""
 
     def __init__(self) -> None:
         self._places: Dict[str, int] = {}
@@ -55,7 +55,7 @@ class _Values:
 
 
 class _Numbers:
-    """A column of numbers, until it turns out to be one of texts."""
+    """A column of numbers; becomes a column of strings at the first value that is no number."""
 
     def __init__(self) -> None:
         self.is_text = False
@@ -130,7 +130,7 @@ def read_results(path: str) -> Results:
 def _refuse_repeated_runs(path: str, results: Results) -> None:
     """@raise BadInput"""
     keys = [results.seeds, *(axis.places for axis in results.axes.values())]
-    order = numpy.lexsort(keys)   # stable: equal ones stay in the order of their lines
+    order = numpy.lexsort(keys)   # stable: equal keys stay in the order of their lines
     is_repeated = numpy.ones(max(0, results.count - 1), dtype=bool)
     for key in keys:
         is_repeated &= key[order][1:] == key[order][:-1]

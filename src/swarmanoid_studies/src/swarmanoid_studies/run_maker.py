@@ -1,7 +1,7 @@
 """Makes runs, in a process of its own.
 
-The simulation of the last request is kept: the next one of the same experiment and overrides begins it anew with another
-seed, which reads no file. Runs have one thread each, as many are made at the same time."""
+The simulation of the last request is kept: a next request for the same experiment and overrides resets it with another seed,
+without reading the experiment again. Runs have one thread each, since many are made in parallel."""
 
 import contextlib
 import os
@@ -21,17 +21,17 @@ _kept: Optional[Tuple[Tuple[object, ...], swarmanoid.Simulation]] = None
 
 
 def begin(request: RunRequest) -> swarmanoid.Simulation:
-    """A simulation of the request before its first tick. @raise swarmanoid.ExperimentError"""
+    """@return a simulation for the request, before its first tick @raise swarmanoid.ExperimentError"""
     global _kept
     wanted = (request.experiment, request.overrides)
     if _kept is not None and _kept[0] == wanted:
         simulation = _kept[1]
-        _kept = None  # a run that fails leaves nothing to go on with
+        _kept = None  # a simulation whose run fails is not reused
         simulation.reset(seed=request.seed)
     else:
-        _kept = None  # first, for its memory
+        _kept = None  # before the new one, to free memory
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # they were shown where the experiment was checked
+            warnings.simplefilter("ignore")  # the check of the experiment has shown them
             simulation = swarmanoid.Simulation(request.experiment, seed=request.seed, threads=1,
                                                overrides=dict(request.overrides))
         _refuse_other_contents(simulation, request)
@@ -46,18 +46,18 @@ def _refuse_other_contents(simulation: swarmanoid.Simulation, request: RunReques
 
 
 def make_run(request: RunRequest) -> RunOutcome:
-    """@raise OtherContents if it is not the run that was asked for"""
+    """@raise OtherContents if the contents differ from the requested ones"""
     global _kept
     start = time.perf_counter()
     try:
-        with contextlib.redirect_stdout(sys.stderr):  # what scripts of experiments print; standard output is the result's
+        with contextlib.redirect_stdout(sys.stderr):  # output of scripts: standard output carries the result
             simulation = begin(request)
             result = simulation.run()
-        _refuse_other_contents(simulation, request)  # scripts are read anew with each run
+        _refuse_other_contents(simulation, request)  # scripts are read again for each run
     except OtherContents:
         _kept = None
         raise
-    except BaseException as error:  # whatever user code raises, KeyboardInterrupt too: it belongs into the row of this run
+    except BaseException as error:  # any exception of user code, even KeyboardInterrupt, goes into the run's row
         _kept = None
         return lost(f"{type(error).__name__}: {error}")._replace(wall_s=time.perf_counter() - start)
     failures = result["failed_controllers"]

@@ -1,4 +1,4 @@
-"""One run: what is asked for, and what comes of it. Plain values, which any process can be sent."""
+"""Request and outcome of one run: plain values, which can be sent to any process."""
 
 from typing import Dict, NamedTuple, Optional, Tuple, Union
 
@@ -12,26 +12,26 @@ class RunRequest(NamedTuple):
     experiment: str                          # a file, or the name of an installed experiment
     overrides: Tuple[Tuple[str, str], ...]   # path and value, as of --set
     seed: int
-    expected: Optional[Contents] = None      # what the run is to be made of; None: whatever the worker finds
+    expected: Optional[Contents] = None      # contents that the run must have; None: no check
 
 
 class RunOutcome(NamedTuple):
     metrics: Dict[str, Metric]
-    success: Optional[bool]    # None: nothing in the experiment judges it
+    success: Optional[bool]    # None: no rule judges the run
     ticks: int
-    wall_s: float              # from the request to the result, all tries [s]
+    wall_s: float              # from request to result, with all tries [s]
     state_hash: str            # of the last state
-    failure: str               # what went wrong, in one line, see failure_text; "": nothing
+    failure: str               # reason in one line, see failure_text; "": no failure
     is_complete: bool          # the run went to its end, though controllers may have failed
 
 
 def lost(reason: str) -> RunOutcome:
-    """Of a run that has no result."""
+    """The outcome of a run without a result."""
     return RunOutcome({}, None, 0, 0.0, "", failure_text(reason), False)
 
 
 def failure_text(text: str) -> str:
-    """One line, and not longer than fits well into a row."""
+    """Text as one line, cut to MOST_FAILURE characters."""
     return one_line(text)[:MOST_FAILURE]
 
 

@@ -1,4 +1,4 @@
-"""Seeds of a batch or a study: numbers and ranges, kept as ranges, so that millions of them take no memory."""
+"""Seeds of a batch or a study: numbers and ranges, stored as ranges, so that millions of seeds need little memory."""
 
 import bisect
 import itertools
@@ -14,12 +14,12 @@ ALLOWED = "seeds and ranges of seeds, such as 1..1000 or 1,2,10..20"
 
 
 class Seeds:
-    """In the order in which they were given, each once."""
+    """A sequence of distinct seeds, in the given order."""
 
     def __init__(self, ranges: Sequence[range]) -> None:
-        """@param ranges that share no seed"""
+        """@param ranges disjoint ranges"""
         self._ranges = tuple(ranges)
-        self._ends = list(itertools.accumulate(map(len, self._ranges)))   # places behind each range
+        self._ends = list(itertools.accumulate(map(len, self._ranges)))   # index after the last seed of each range
         self._sorted = sorted(range(len(self._ranges)), key=lambda number: self._ranges[number].start)
         self._starts = [self._ranges[number].start for number in self._sorted]
 
@@ -34,7 +34,7 @@ class Seeds:
         return self._ranges[number][place - self._ends[number]]   # from the end of the range
 
     def place(self, seed: int) -> Optional[int]:
-        """The inverse of []; None: it is none of them."""
+        """Index of a seed, the inverse of []; None if it is not in the sequence."""
         found = bisect.bisect_right(self._starts, seed) - 1
         number = self._sorted[found] if found >= 0 else 0
         if found < 0 or seed not in self._ranges[number]:
@@ -43,7 +43,7 @@ class Seeds:
 
 
 def parse_seeds(text: str, option: str = "--seeds", most: int = MOST_RUNS) -> Seeds:
-    """Of "1..5,8": 1, 2, 3, 4, 5, 8. @raise BadInput"""
+    """Parses "1..5,8" to 1, 2, 3, 4, 5, 8. @raise BadInput"""
     ranges: List[range] = []
     for part in text.split(","):
         found = re.fullmatch(r"\s*(\d{1,20})\s*(?:\.\.\s*(\d{1,20})\s*)?", part, re.ASCII)

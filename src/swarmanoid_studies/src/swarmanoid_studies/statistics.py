@@ -1,10 +1,10 @@
-"""What the rows of a batch say: each metric by value, and pairs of runs with the same seed.
+"""Statistics of a batch: each metric by value, and comparisons of pairs of runs with the same seed.
 
-Intervals are of the mean, at 95 % (Student's t). Pairs are runs that differ in one value alone, seed included, so chance that the
-seed brings is in both. The effect size of pairs is Cohen's d_z, mean over standard deviation of the differences; p is of
-Wilcoxon's signed-rank test. A report makes many such tests, and some p are small by chance, so Holm's correction for the number of
-tests is applied too: Holm, S. (1979), A simple sequentially rejective multiple test procedure, Scandinavian Journal of Statistics 6,
-65-70."""
+Intervals are 95 % confidence intervals of the mean (Student's t). The runs of a pair differ in one value only and have the same
+seed, so both have the random effects of that seed. The effect size of pairs is Cohen's d_z, mean over standard deviation of the
+differences; p is from Wilcoxon's signed-rank test. A report makes many such tests, and some p are small by chance, so Holm's
+correction for the number of tests is also given: Holm, S. (1979), A simple sequentially rejective multiple test procedure,
+Scandinavian Journal of Statistics 6, 65-70."""
 
 import math
 import warnings
@@ -17,11 +17,11 @@ from .results_table import Results
 
 LEVEL = 0.95
 ALL = "all runs"
-Panel = Tuple[str, str]   # metric, and path by whose values it is compared; path "": by none
+Panel = Tuple[str, str]   # metric, and path whose values are compared; path "": no comparison
 
 
 class Summary(NamedTuple):
-    """Of one metric with one value of a path."""
+    """Summary of one metric for one value of a path."""
     value: str
     count: int
     mean: float
@@ -33,27 +33,27 @@ class Summary(NamedTuple):
 
 
 class Comparison(NamedTuple):
-    """Of one metric with two values of a path, in pairs of the same seed and otherwise equal values."""
+    """Comparison of one metric for two values of a path, in pairs with the same seed and otherwise equal values."""
     first: str
     second: str
     pairs: int
-    difference: float   # second less first, mean
+    difference: float   # mean of second minus first
     low: float
     high: float
     effect: float       # Cohen's d_z
     p: float            # Wilcoxon
-    corrected: float    # p for all tests of the report together, Holm
+    corrected: float    # p with Holm's correction for all tests of the report
 
 
 def panels(results: Results) -> List[Panel]:
-    """What a report shows, in its order."""
+    """Panels of a report, in its order."""
     paths = [path for path, axis in results.axes.items() if len(axis.values) > 1] or [""]
     return [(metric, path) for metric in results.metrics for path in paths]
 
 
 def interval(values: numpy.ndarray) -> Tuple[float, float, float]:
-    """@return mean, and its interval; a single value has none"""
-    with numpy.errstate(all="ignore"):   # sums of numbers near the largest one are inf
+    """@return mean and its interval, which is NaN for a single value"""
+    with numpy.errstate(all="ignore"):   # sums may overflow
         mean = float(numpy.mean(values)) if len(values) else math.nan
         if len(values) < 2:
             return mean, math.nan, math.nan
@@ -62,7 +62,7 @@ def interval(values: numpy.ndarray) -> Tuple[float, float, float]:
 
 
 def groups(results: Results, path: str, metric: str) -> Iterator[Tuple[str, numpy.ndarray]]:
-    """Values of a metric by value of a path, in the order of the axis. @param path "": all in one"""
+    """Values of a metric by value of a path, in the order of the axis. @param path "": all values in one group"""
     values = results.metrics[metric]
     is_finite = numpy.isfinite(values)
     if not path:
@@ -84,7 +84,7 @@ def summaries(results: Results, path: str, metric: str) -> List[Summary]:
 
 
 def comparisons(results: Results) -> Dict[Panel, List[Comparison]]:
-    """All that a report has: of each panel with a path, each value with the first one."""
+    """All comparisons of a report: for each panel with a path, each value with the first value."""
     pairs = {path: _pair_numbers(results, path) for path in results.axes}
     found = {panel: _compare(results, panel, pairs[panel[1]]) for panel in panels(results) if panel[1]}
     corrected = iter(holm([each.p for rows in found.values() for each in rows]))
@@ -92,7 +92,7 @@ def comparisons(results: Results) -> Dict[Panel, List[Comparison]]:
 
 
 def holm(p: Sequence[float]) -> List[float]:
-    """Each p as it is for all tests together: the chance that any of them would be so small."""
+    """Holm-corrected p values, which bound the probability of any false positive among all tests."""
     corrected = [0.0] * len(p)
     largest = 0.0
     for rank, index in enumerate(sorted(range(len(p)), key=p.__getitem__)):
@@ -102,7 +102,7 @@ def holm(p: Sequence[float]) -> List[float]:
 
 
 def _pair_numbers(results: Results, path: str) -> numpy.ndarray:
-    """(rows,): equal for runs that differ in the value of the path alone."""
+    """Numbers of pairs, (rows,): equal for runs that differ only in the value of the path."""
     others = [axis.places for other, axis in results.axes.items() if other != path]
     _, seeds = numpy.unique(results.seeds, return_inverse=True)
     if not others:
@@ -136,7 +136,7 @@ def _effect(differences: numpy.ndarray) -> float:
 def _wilcoxon(differences: numpy.ndarray) -> float:
     if not differences.any():
         return 1.0
-    with warnings.catch_warnings():   # of few pairs, or of equal ones: p is right, and stands with the number of pairs
+    with warnings.catch_warnings():   # about few or equal pairs: p is valid, and shown with the number of pairs
         warnings.simplefilter("ignore")
         p = float(scipy.stats.wilcoxon(differences, zero_method="pratt").pvalue)
     return p if math.isfinite(p) else 1.0

@@ -1,4 +1,4 @@
-"""Study files: what is evolved, how, and what for. XML, read strictly, as experiment files are.
+"""Study files: parameters to evolve, optimiser and objectives. XML, read strictly, as experiment files.
 
     <study>
       <experiment>phototaxis</experiment>
@@ -35,11 +35,11 @@ class Bounds(NamedTuple):
 
 MOST = 1_000_000
 MOST_BYTES = 10_000_000   # of a file
-MOST_GENES = 10_000   # of one value
-MOST_SEEDS = 100_000  # each genotype has as many runs
+MOST_GENES = 10_000   # per value
+MOST_SEEDS = 100_000  # runs per genotype
 COMMON = {"generations": Bounds(20, 1, MOST), "random_seed": Bounds(1, 0, 2 ** 63)}
 OF_GA = {"population": Bounds(20, 4, 100_000), "crossover": Bounds(0.9, 0, 1, False), "mutation": Bounds(0, 0, 1, False)}
-# what each optimiser takes; 0 where the optimiser computes a value of its own
+# parameters of each optimiser; 0: the optimiser computes the value
 OPTIMISERS: Dict[str, Dict[str, Bounds]] = {
     "cma_es": {**COMMON, "population": Bounds(0, 0, 100_000), "sigma": Bounds(0.3, 1e-6, 10, False)},
     "ga": {**COMMON, **OF_GA},
@@ -51,7 +51,7 @@ def read_study(path: str) -> Study:
     """@raise BadInput with file and line"""
     content = read_file(path, MOST_BYTES)
     try:
-        # no entities: they could read other files; no network
+        # no entities, which could read other files, and no network
         parser = etree.XMLParser(resolve_entities=False, no_network=True, remove_comments=True, remove_pis=True)
         root = etree.fromstring(content, parser)
     except etree.XMLSyntaxError as error:
@@ -174,7 +174,7 @@ class _Reader:
         value = self._number(element, name, text)
         is_digits = text.isdecimal() and len(text) < 20
         if bounds.is_whole and is_digits:
-            value = int(text)   # with all its digits
+            value = int(text)   # exact, with all digits
         if not bounds.least <= value <= bounds.most or bounds.is_whole and not is_digits:
             kind = "a whole number" if bounds.is_whole else "a number"
             self._refuse(element, f"{name}: found '{shown(text)}', allowed: {kind} from {bounds.least} to {bounds.most}")
@@ -187,7 +187,7 @@ class _Reader:
         return value
 
     def _children(self, element: etree._Element, names: Dict[str, bool]) -> Dict[str, etree._Element]:
-        """By tag, each once at the most. @param names whether it must be there"""
+        """Children by tag, each at most once. @param names whether each is required"""
         found: Dict[str, etree._Element] = {}
         for child in self._all(element, tuple(names)):
             if child.tag in found:

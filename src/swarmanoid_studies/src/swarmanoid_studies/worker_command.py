@@ -1,4 +1,4 @@
-"""`swarmanoid worker`: processes that make runs for the scheduler of a cluster; a Dask worker as the programs want it."""
+"""`swarmanoid worker`: processes that make runs for the scheduler of a cluster; starts a Dask worker with the required settings."""
 
 import os
 import sys

@@ -1,7 +1,7 @@
 """The processes of this computer that make runs.
 
-Each is a Dask worker, and one that dies is started again. Dask has a keeper of processes itself (its nanny), but that waits
-for ever if a process dies before it has told where it listens."""
+Each is a Dask worker, and is restarted if it dies. Dask's own supervisor (nanny) is not used: it waits without end if a process
+dies before it has reported its address."""
 
 import asyncio
 import multiprocessing
@@ -17,9 +17,9 @@ from distributed.security import Security
 
 from .mistakes import RunsStopped
 
-METHOD = multiprocessing.get_context("spawn")  # it takes nothing along from this process, which has threads
-os.environ.setdefault("PYTHONHASHSEED", "0")    # for the processes: scripts of experiments run there as in programs in C++
-MOST_FAILED_STARTS = 10  # one after another, of all processes together
+METHOD = multiprocessing.get_context("spawn")  # not fork: this process has threads
+os.environ.setdefault("PYTHONHASHSEED", "0")    # for the processes: scripts run there as in C++ programs
+MOST_FAILED_STARTS = 10  # in a row, over all processes
 
 
 def _end_with_parent() -> None:
@@ -36,7 +36,7 @@ async def _work(scheduler: str, security: Security, listens: Connection) -> None
 
 
 def _main(scheduler: str, security: Security, listens: Connection) -> None:
-    # if the program is killed with -9, no worker stays, not even in the middle of a run
+    # workers end even if the program is killed by SIGKILL, also in the middle of a run
     threading.Thread(target=_end_with_parent, daemon=True).start()
     from .worker_setup import set_up
     set_up()
@@ -52,7 +52,7 @@ class _Process:
         self.is_up = False
 
     def is_alive(self) -> bool:
-        """Called when the process has said something or has died."""
+        """To be called when the process has sent a message or died."""
         try:
             self.is_up = self.listens.recv() or self.is_up
             return True
@@ -66,21 +66,21 @@ class _Process:
 
 
 class WorkerProcesses:
-    """They are there while this context lasts."""
+    """A context in which the processes run."""
 
     def __init__(self, count: int, scheduler: str, security: Security, give_up: Callable[[], object]) -> None:
-        """@param give_up is called in another thread if processes cannot be started any more"""
+        """@param give_up called in another thread if processes can no longer be started"""
         self._count = count
         self._make = lambda: _Process(scheduler, security)
         self._give_up = give_up
         self._failed_starts = 0
-        self._problem = ""  # why there are no processes any more
+        self._problem = ""  # reason why processes could not be started
         self._are_settled = threading.Event()
         self._end, self._ends = METHOD.Pipe(duplex=False)
         self._keeper = threading.Thread(target=self._keep, daemon=True)
 
     def _keep(self) -> None:
-        # processes inherit it: they are ended here, not by the Ctrl-C that goes to all processes of a terminal
+        # inherited by the processes: they are ended here, and not by Ctrl-C, which all processes of a terminal receive
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGHUP})
         processes: Dict[object, _Process] = {}
         try:
@@ -93,7 +93,7 @@ class WorkerProcesses:
             process.end()
 
     def _tend(self, processes: Dict[object, _Process]) -> None:
-        """Until the context ends. @raise RunsStopped if processes cannot be started"""
+        """Runs until the context ends, and restarts dead processes. @raise RunsStopped if processes cannot be started"""
         for _ in range(self._count):
             self._begin(processes)
         while True:
@@ -109,7 +109,7 @@ class WorkerProcesses:
     def _begin(self, processes: Dict[object, _Process]) -> None:
         try:
             process = self._make()
-        except OSError as problem:  # the system has no more files, processes or memory for it
+        except OSError as problem:  # the limit of files, processes or memory is reached
             raise RunsStopped(f"process {len(processes) + 1} of {self._count} that makes runs cannot be started: "
                               f"{problem.strerror or problem}") from None
         processes[process.listens] = process
@@ -123,7 +123,7 @@ class WorkerProcesses:
         self._begin(processes)
 
     def wait_until_up(self) -> None:
-        """@raise RunsStopped if they cannot be started"""
+        """@raise RunsStopped if the processes cannot be started"""
         self._are_settled.wait()
         if self._problem:
             raise RunsStopped(self._problem)
@@ -133,7 +133,7 @@ class WorkerProcesses:
         return self
 
     def __exit__(self, _kind: object, error: Optional[BaseException], _trace: object) -> None:
-        """@raise RunsStopped instead of an error that only follows from processes that cannot be started"""
+        """@raise RunsStopped if processes could not be started, in place of errors caused by that"""
         self._ends.close()
         self._keeper.join()
         if self._problem and isinstance(error, Exception):

@@ -1,4 +1,4 @@
-"""What a process that makes runs does when it starts."""
+"""Setup of a worker process."""
 
 import contextlib
 import signal
@@ -6,9 +6,9 @@ import signal
 
 def set_up() -> None:
     from .makers import start
-    # Ctrl-C goes to all processes of a terminal: the program that started the worker ends it
+    # all processes of a terminal receive Ctrl-C: the program that started the worker ends it
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    with contextlib.suppress(OSError):  # the first run tries again, and reports it
+    with contextlib.suppress(OSError):  # the first run tries again, and reports the error
         start()
 
 

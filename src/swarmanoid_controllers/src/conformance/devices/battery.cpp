@@ -1,4 +1,4 @@
-// Any robot that has a battery uses it up, and knows what is left; it knows when it is charged, or exchanged.
+// Any robot with a battery consumes its charge, measures the rest, and reports charging and exchanges.
 #include "swarmanoid_interface/devices/battery.hpp"
 
 #include <cmath>
@@ -11,18 +11,17 @@ namespace swarmanoid::conformance {
 namespace {
 
 constexpr double kWatchingTime = 2.0;  // s
-constexpr double kLeastChange = 2.0;   // J, allowed error of a charge: what charges may do so in portions
+constexpr double kLeastChange = 2.0;   // J, allowed error of a charge: a charger may transfer it in portions
 
-/// What the gauge has said while nothing charged the robot.
+/// Readings of the gauge while no charger acts on the robot.
 struct Draining {
-  float before = 0.0F;  ///< charge at first [J]
+  float before = 0.0F;  ///< initial charge [J]
   float last = 0.0F;    ///< charge in the last tick [J]
   double power = 0.0;   ///< sum over the ticks [W]
   double ticks = 0.0;
 };
 
-/// The charge never rises while the robot drives to and fro, or stands; at the end there is less, by what the power
-/// says.
+/// The charge never rises while the robot drives to and fro, or stands; its decrease matches the power.
 Stage watch(Bench& bench, const Drive& drive, double speed) {
   const auto seen = std::make_shared<Draining>();
   return {speed > 0.0   ? "driving ahead"
@@ -46,7 +45,7 @@ Stage watch(Bench& bench, const Drive& drive, double speed) {
           [&bench, seen](double took) {
             const Battery& battery = *bench.sensor<Battery>();
             bench.expectTrue("some of the charge is used", battery.charge < seen->before);
-            if (!bench.surroundings().has_exchanger) {  // after an exchange the battery fills the super-capacitor too
+            if (!bench.surroundings().has_exchanger) {  // after an exchange the battery also fills the super-capacitor
               bench.expectAbout("charge that is used", static_cast<double>(seen->before - battery.charge),
                                 seen->power / seen->ticks * took, kLeastChange, "J");
             }
@@ -55,7 +54,7 @@ Stage watch(Bench& bench, const Drive& drive, double speed) {
           }};
 }
 
-/// Drives further from what charges it than it can reach.
+/// Drives out of the reach of the charger.
 Stage leave(Bench& bench, const Drive& drive) {
   constexpr double kLeavingTime = 6.0;  // s
   Stage stage = settle(bench, nullptr);
@@ -65,7 +64,7 @@ Stage leave(Bench& bench, const Drive& drive) {
   return stage;
 }
 
-/// Where something charges it the charge rises, by what the power says.
+/// At a charger the charge rises, by an amount that matches the power.
 Check charges(Bench& bench) {
   constexpr double kTime = 3.0;  // s
   Check check{"battery_charges", {Battery::kType}, "", {"battery_plausible"}, {}};
@@ -87,7 +86,7 @@ Check charges(Bench& bench) {
   return check;
 }
 
-/// Where its battery is exchanged the robot lives on its super-capacitor meanwhile, then on more than before.
+/// During an exchange of the battery the robot runs on its super-capacitor, and afterwards has more charge than before.
 Check isExchanged(Bench& bench) {
   constexpr double kPatience = 60.0;  // s
   Check check{"battery_exchanged", {Battery::kType}, "", {}, {}};
@@ -128,7 +127,7 @@ std::vector<Check> batteryChecks(Bench& bench) {
   const bool is_charged = bench.surroundings().has_charger;
   if (drive) {
     drains.devices.push_back(drive->device);
-    drains.follows = {drive->check};  // which begins where the robot was put
+    drains.follows = {drive->check};  // that check begins at the start pose
     if (is_charged) {
       drains.stages.push_back(leave(bench, *drive));
     }

@@ -1,5 +1,5 @@
-// Any robot with a differential drive and proximity sensors, with a wall to the right: it is judged by the wall alone,
-// for it may have no camera.
+// Any robot with a differential drive and proximity sensors, and with a wall to the right. The wall alone is the
+// reference, because the robot may have no camera.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr double kDriveSpeed = 0.05;    // m/s
 constexpr double kDriveTurnRate = 0.5;  // rad/s
 constexpr double kNearReading = 0.15;   // a reading
-constexpr double kBearingError = 0.4;   // rad, allowed error: sensors may be few
+constexpr double kBearingError = 0.4;   // rad, allowed error: there may be few sensors
 
 double strongestReading(const Bench& bench) {
   double level = 0.0;
@@ -49,7 +49,7 @@ std::vector<Check> driveChecks(Bench& bench) {
                           [&bench] { bench.actuator<DifferentialDrive>()->drive(kDriveSpeed, 0.0); },
                           [&bench] { return strongestReading(bench) > kNearReading; },
                           [&bench, way](double took) {
-                            // the robot's radius and its sensors' range, which are not known here, are part of the way
+                            // the robot's radius and its sensors' range, both unknown here, are part of the way
                             bench.expectNear("way to the wall", kDriveSpeed * took, 0.65 * way, 0.35 * way, "m");
                           }});
   check.stages.push_back(expectWall(bench, "ahead", 0.0));

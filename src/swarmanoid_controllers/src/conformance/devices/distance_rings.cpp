@@ -1,5 +1,5 @@
-// Of the distance sensors around a handbot or an eyebot those that look to the right measure the wall there, each at
-// its own angle: so a ring that is turned, mirrored or counted from elsewhere is found. Others are not judged.
+// The distance sensors of a handbot's or an eyebot's ring that face right measure the wall there, each at its own
+// angle: this detects a ring that is turned, mirrored or numbered from another start. The other sensors are not judged.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -13,17 +13,17 @@
 namespace swarmanoid::conformance {
 namespace {
 
-constexpr double kAside = 1.1;  // rad: sensors that look further away from the wall may see past its end
+constexpr double kAside = 1.1;  // rad: sensors that face further away from the wall may miss its end
 
-/// @param off from straight to the wall [rad] @param radius of the ring [m]
-/// @return what a sensor reads of the wall [m]
+/// @param off angle from the normal of the wall [rad] @param radius of the ring [m]
+/// @return expected reading of a sensor [m]
 double expectedWay(double wall, double off, double radius, Range range) {
   return static_cast<double>(Distance::reading(wall / std::cos(off) - radius, range));
 }
 
 template <class Ring>
 void judgeSensor(Bench& bench, const Ring& ring, std::size_t i, double off) {
-  constexpr double kError = 0.02;  // m, and as much as the robot may be placed askew
+  constexpr double kError = 0.02;  // m, which includes an inexact heading of the robot
   const std::string what = "way from sensor " + std::to_string(i) + " to the wall";
   const double wall = bench.surroundings().wall_distance;
   const Range range{static_cast<double>(ring.range_min), static_cast<double>(ring.range_max)};
@@ -36,7 +36,7 @@ void judgeSensor(Bench& bench, const Ring& ring, std::size_t i, double off) {
   }
 }
 
-/// @param name of the check @param count of the sensors around
+/// @param name of the check @param count number of sensors around
 template <class Ring>
 Check ringCheck(Bench& bench, const std::string& name, std::size_t count) {
   Check check{name, {Ring::kType}, needsWall(bench), {}, {}};

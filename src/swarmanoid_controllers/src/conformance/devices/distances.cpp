@@ -1,4 +1,4 @@
-// Any robot with distance sensors that look to the right measures the wall there.
+// Any robot with distance sensors that face right measures the wall there.
 #include <cmath>
 
 #include "../wall_on_the_right.hpp"

@@ -1,4 +1,5 @@
-// Flown up and down, the altimeter, the barometer and the distance sensors below and above say how far.
+// The altimeter, the barometer and the downward and upward distance sensors measure the height differences of a flight
+// up and down.
 #include "swarmanoid_interface/devices/eyebot_altitude.hpp"
 
 #include <algorithm>
@@ -18,16 +19,16 @@ namespace {
 constexpr std::array<double, 2> kUpFirst{0.2, -0.2};
 constexpr std::array<double, 2> kDownFirst{-0.2, 0.2};
 
-/// Of one flight: how long it was, and how much higher the robot was then.
+/// One flight: its duration, and the change in height.
 struct Flight {
   double took = 0.0;    // s
   double before = 0.0;  // m
   double rise = 0.0;    // m
 };
 
-/// Flies up and down, and judges when it is back: a sensor that fails does so at the expense of no later check.
-/// @param name of the check @param speeds of the one flight and of the other [m/s] @param height how high the robot is,
-/// by the sensor, from where it does not matter [m]
+/// Flies up and down, and judges after the return, so that a failing sensor does not disturb later checks.
+/// @param name of the check @param speeds of the two flights [m/s]
+/// @param height function that converts a reading to a height above any fixed reference [m]
 template <class Device>
 Check upAndDown(Bench& bench, const std::string& name, const std::array<double, 2>& speeds,
                 double (*height)(const Device&)) {
@@ -57,17 +58,17 @@ Check upAndDown(Bench& bench, const std::string& name, const std::array<double, 
 
 std::vector<Check> altitudeChecks(Bench& bench) {
   return {upAndDown<EyebotAltitude>(bench, EyebotAltitude::kType, kUpFirst, [](const EyebotAltitude& altitude) {
-    return std::max(0.0, static_cast<double>(altitude.distance));  // on the ground it is too close: -infinity
+    return std::max(0.0, static_cast<double>(altitude.distance));  // on the ground: -infinity, below the range
   })};
 }
 
 std::vector<Check> pressureChecks(Bench& bench) {
   return {upAndDown<EyebotPressure>(bench, EyebotPressure::kType, kUpFirst, [](const EyebotPressure& pressure) {
-    return pressure.difference / EyebotPressure::differenceAt(1.0);  // nearly the same for each metre
+    return pressure.difference / EyebotPressure::differenceAt(1.0);  // the change per metre is nearly constant
   })};
 }
 
-/// Its sensors reach less far than the altimeter: it stays below the height at which it starts.
+/// The sensors have a shorter range than the altimeter, so the robot stays below its start height.
 std::vector<Check> upAndDownwardsChecks(Bench& bench) {
   using Ring = EyebotDistance;
   if (!bench.isListed(Ring::kType)) {

@@ -1,4 +1,4 @@
-// An eyebot's camera sees beacon and prey where they are.
+// An eyebot's camera measures beacon and prey at their positions.
 #include "../checks.hpp"
 
 namespace swarmanoid::conformance {

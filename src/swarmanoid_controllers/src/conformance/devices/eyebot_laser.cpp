@@ -1,4 +1,4 @@
-// The spot lies in the direction of `pan`, farther with more tilt; switched off it is gone.
+// The spot moves in the direction of `pan`, farther with more tilt, and disappears when the laser is off.
 #include <cmath>
 #include <memory>
 
@@ -11,13 +11,13 @@ namespace {
 /// Checks that the spot moves into the direction `pan`, farther with more tilt.
 Check laser(Bench& bench) {
   Check check{EyebotLaser::kType, {EyebotLaser::kType, EyebotCamera::kType}, "", {EyebotCamera::kType}, {}};
-  check.follows = {"yaw_left"};  // whatever does not move as it should is found by the camera first
+  check.follows = {"yaw_left"};  // the camera detects faulty motion of the robot first
   const Place below = place();
   const auto way = std::make_shared<double>(0.0);
   check.stages.push_back(
       settle(bench, [&bench] { bench.expectTrue("while it is off there is no red spot", !bench.see(colors::kRed)); }));
   check.stages.push_back(point(bench, 0.0, 0.0, [&bench, below] {
-    constexpr double kMount = 0.1;  // m, from the middle of the robot at the most
+    constexpr double kMount = 0.1;  // m, maximum offset from the robot's centre
     *below = bench.find(colors::kRed, "the spot");
     bench.expectNear("straight down, the spot's distance", below->norm(), 0.0, kMount, "m");
   }));

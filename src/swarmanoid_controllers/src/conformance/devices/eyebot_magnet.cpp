@@ -1,4 +1,4 @@
-// Holds on to the ceiling, and lets go.
+// The magnet attaches to the ceiling, and releases.
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "../checks.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
@@ -12,7 +12,7 @@ Check magnet(Bench& bench) {
               needsCeiling(bench),
               {},
               {}};
-  check.follows = {"velocity_up"};    // who flies up otherwise does not come to the ceiling
+  check.follows = {"velocity_up"};    // a robot with a wrong upward velocity does not reach the ceiling
   constexpr double kPatience = 20.0;  // s
   constexpr double kDescent = 1.5;    // s
   check.stages.push_back({"flying up to the ceiling and holding on to it", kPatience,

@@ -1,4 +1,4 @@
-// A camera that is panned and tilted to the prey sees it; panned to the other side, it does not.
+// The camera sees the prey when panned and tilted towards it, but not when panned to the other side.
 #include "swarmanoid_interface/devices/eyebot_pan_tilt.hpp"
 
 #include <cmath>
@@ -8,9 +8,9 @@
 namespace swarmanoid::conformance {
 namespace {
 
-constexpr double kSteepest = 1.25;  // rad: any steeper it would see the prey whichever way it is panned
+constexpr double kSteepest = 1.25;  // rad: at a steeper tilt every pan angle would show the prey
 
-/// How far below the horizon the prey is, as seen from about where the laser pointer is [rad].
+/// Depression angle of the prey, seen from about the laser pointer [rad].
 double angleDownToPrey(const Bench& bench) {
   return std::atan2(bench.surroundings().laser_height, bench.surroundings().prey_distance);
 }
@@ -25,7 +25,7 @@ std::string panTiltObstacle(const Bench& bench) {
   return angleDownToPrey(bench) > kSteepest ? "the prey lies too near below the robot" : "";
 }
 
-/// Turns the camera, and stands until it has turned.
+/// Turns the camera, and waits until it has turned.
 Stage look(Bench& bench, double pan, const std::function<void(bool is_seen)>& judge) {
   constexpr double kTurning = 3.0;  // s
   return {"turning the camera",

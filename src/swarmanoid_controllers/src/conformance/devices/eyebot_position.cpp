@@ -1,4 +1,4 @@
-// Flown to a place ahead and to the left, and back, the beacon's place moves the other way.
+// During a flight to a point ahead and to the left, and back, the beacon moves the opposite way in the robot's frame.
 #include "swarmanoid_interface/devices/eyebot_position.hpp"
 
 #include "../checks.hpp"

@@ -1,4 +1,4 @@
-// Flown somewhere, the beacon's place moves the other way; the laser measures the height.
+// During a flight the beacon moves the opposite way in the robot's frame; the laser measures the height.
 #include <cmath>
 #include <memory>
 

@@ -1,4 +1,4 @@
-// A footbot's camera sees beacon and prey where they are.
+// A footbot's camera measures beacon and prey at their positions.
 #include "../checks.hpp"
 
 namespace swarmanoid::conformance {

@@ -1,4 +1,4 @@
-// Grips the prey, still holds it, lets go of it.
+// The gripper grips the prey, keeps its hold, and releases it.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -20,14 +20,14 @@ Check gripperCloses(Bench& bench) {
               needsPrey(bench),
               {FootbotCamera::kType, "wheels_ahead", "wheels_left"},
               {}};
-  check.follows = {FootbotProximity::kType};  // whose sensor ahead would read what is held
+  check.follows = {FootbotProximity::kType};  // its sensor ahead would detect the held prey
   check.stages.push_back(settle(bench, [&bench] {
     bench.expectTrue("nothing is held at first", !bench.sensor<FootbotGripperState>()->gripping);
   }));
   check.stages.push_back(turnTo(bench, prey, [] { return 0.0; }));
   check.stages.push_back({"driving to the prey and gripping it", kDrivingPatience, nullptr,
                           [&bench, prey] {
-                            constexpr double kReach = 0.22;  // m, within which it is slow and the gripper closed
+                            constexpr double kReach = 0.22;  // m: slow with closed gripper below this
                             const Eigen::Vector2d seen = bench.see(prey).value_or(Eigen::Vector2d::Zero());
                             const bool is_near = seen.norm() < kReach;
                             bench.actuator<FootbotGripper>()->closed = is_near;
@@ -52,7 +52,7 @@ Check gripperOpens(Bench& bench) {
               needsPrey(bench),
               {"gripper_closes"},
               {}};
-  check.follows = {FootbotTurret::kType};  // which turns what is held
+  check.follows = {FootbotTurret::kType};  // which turns the held prey
   check.stages.push_back({"letting go", 2.0, [&bench] { bench.actuator<FootbotGripper>()->open(); }, nullptr,
                           [&bench] { return !bench.sensor<FootbotGripperState>()->gripping; }, nullptr});
   check.stages.push_back(drive(bench, -kSpeed, 0.0, took, rememberPlace(bench, prey, "what it looks at", before)));

@@ -1,4 +1,4 @@
-// Nothing is near at first; then the wall is ahead, to the right, and behind.
+// First no obstacle is near; then the wall is ahead, to the right, and behind.
 #include <algorithm>
 #include <cmath>
 

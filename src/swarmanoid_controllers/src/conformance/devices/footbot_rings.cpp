@@ -1,4 +1,4 @@
-// Other ways to command a footbot's ring of LEDs are shown to an observer: one colour, or a direction.
+// Other commands for a footbot's ring of LEDs are shown to an observer: one colour, or a direction.
 #include <cmath>
 #include <type_traits>
 
@@ -24,7 +24,7 @@ std::vector<Check> ringChecks(Bench& bench) {
   })};
 }
 
-/// Ahead in red, to the left in blue, behind in green, one after the other: the observer remembers what it saw.
+/// Shows red ahead, blue to the left, green behind, one after the other: the observer remembers the colours.
 std::vector<Check> directionChecks(Bench& bench) {
   using Direction = FootbotPreferentialDirection;
   if (!bench.isListed(Direction::kType)) {

@@ -1,4 +1,5 @@
-// The head turns as commanded, the nearest that long beams find is the wall to the right, and off it measures nothing.
+// The head turns as commanded, the shortest distance of the long beams is the wall to the right, and off it measures
+// nothing.
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 
 using Readings = FootbotScannerReadings;
 
-/// What a head that turns has found.
+/// Readings during a turn of the head.
 struct Sweep {
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();  // m
@@ -23,7 +24,7 @@ struct Sweep {
   double last_angle = 0.0;
   Nearest left;  // of the long beams
   Nearest right;
-  bool is_in_range = true;  // all that is finite
+  bool is_in_range = true;  // for all finite distances
 
   void start(const Readings& readings) {
     *this = {};
@@ -52,7 +53,7 @@ struct Sweep {
 
 void judge(Bench& bench, const Sweep& found, double turn) {
   constexpr double kLeastTurn = 0.5;       // rad, allowed error
-  constexpr double kLeastDistance = 0.04;  // m, likewise
+  constexpr double kLeastDistance = 0.04;  // m, allowed error
   bench.expectAbout("angle by which the scanner has turned", found.turned, turn, kLeastTurn, "rad");
   bench.expectTrue("long beams say distances from 0.2 to 1.5 m, inf or -inf", found.is_in_range);
   for (const auto& [beam, nearest] : {std::pair("left", found.left), std::pair("right", found.right)}) {

@@ -1,4 +1,4 @@
-// The turret's encoder says the angles that it is turned to; so does the bearing of what is held.
+// The turret's encoder measures the commanded angles, and the held prey has the same bearing.
 #include <cmath>
 
 #include "../checks.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 Check turret(Bench& bench) {
   Check check{FootbotTurret::kType, {FootbotTurret::kType, FootbotTurretState::kType}, "", {}, {}};
-  check.follows = {"gripper_closes"};  // something that is held shows where the gripper is
+  check.follows = {"gripper_closes"};  // a held prey shows the direction of the gripper
   const Color prey = bench.surroundings().prey_color;
   for (const double angle : {0.5, -0.4, 0.0}) {
     constexpr double kClose = 0.05;     // rad

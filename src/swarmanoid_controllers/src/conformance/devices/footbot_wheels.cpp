@@ -1,4 +1,4 @@
-// Driven ahead, the beacon comes nearer; turned left, it moves to the right.
+// The beacon comes nearer while the robot drives ahead, and moves to the right while it turns left.
 #include <cmath>
 #include <memory>
 

@@ -1,5 +1,5 @@
-// Cameras that a robot has beside the one by which it is tested: they see beacon and prey in their directions. Those
-// with a lens see the beacon ahead, and not the prey.
+// Cameras of a robot besides the one used for the tests: they detect beacon and prey in the right directions. Cameras
+// with a lens detect the beacon ahead, but not the prey.
 #include <cmath>
 #include <memory>
 #include <string>
@@ -10,7 +10,7 @@
 namespace swarmanoid::conformance {
 namespace {
 
-constexpr double kPlacingError = 0.15;  // rad, of how objects are placed
+constexpr double kPlacingError = 0.15;  // rad, placement error of the objects
 
 void expectBearing(Bench& bench, const ColorBlobs& seen, Color color, const std::string& name, double bearing) {
   const std::optional<double> found = bearingOf(seen, color);
@@ -20,12 +20,12 @@ void expectBearing(Bench& bench, const ColorBlobs& seen, Color color, const std:
   bench.expectAngle("bearing of " + name, *found, bearing, kPlacingError);
 }
 
-/// Turned to the left, the beacon is further to the right in the picture: of a camera that looks ahead a mirrored
-/// picture looks right as long as the beacon is in its middle.
+/// After a turn to the left the beacon is further to the right in the picture. The turn is necessary for cameras that
+/// face ahead: a mirrored picture looks correct while the beacon is in its middle.
 template <class Camera>
 Check turnedCamera(Bench& bench, const Drive& drive) {
   constexpr double kRate = 0.25;  // rad/s
-  constexpr double kTime = 1.2;   // s: less than to the edge of the picture
+  constexpr double kTime = 1.2;   // s: the beacon stays in the picture
   Check check{
       std::string(Camera::kType) + "_turns", {Camera::kType, drive.device}, needsBeacon(bench), {Camera::kType}, {}};
   if (drive.returns) {
@@ -45,7 +45,7 @@ Check turnedCamera(Bench& bench, const Drive& drive) {
   return check;
 }
 
-/// @param sees_around or ahead only
+/// @param sees_around true: omnidirectional, false: ahead only
 template <class Camera>
 std::vector<Check> furtherCamera(Bench& bench, bool sees_around) {
   if (!bench.isListed(Camera::kType)) {
@@ -63,8 +63,8 @@ std::vector<Check> furtherCamera(Bench& bench, bool sees_around) {
     if (place.prey_distance > 0.0 && sees_around) {
       expectBearing(bench, seen, place.prey_color, "the prey", place.prey_bearing);
     }
-    constexpr double kAhead = M_PI / 3.0;    // rad: no lens shows what is further to the side
-    constexpr double kInPicture = M_PI / 8;  // rad: each shows what is nearer to its middle
+    constexpr double kAhead = M_PI / 3.0;    // rad: outside the field of view of every lens
+    constexpr double kInPicture = M_PI / 8;  // rad: inside the field of view of every lens
     if (place.prey_distance > 0.0 && !sees_around && std::abs(place.prey_bearing) > kAhead) {
       bench.expectTrue("the prey is out of the picture", !bearingOf(seen, place.prey_color));
     }

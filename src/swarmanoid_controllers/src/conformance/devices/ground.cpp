@@ -1,4 +1,4 @@
-// Spots under a robot read the floor on which it is tested: its brightness, or its colour.
+// Spots under a robot measure the floor at the test place: its brightness, or its colour.
 #include "swarmanoid_interface/devices/ground.hpp"
 
 #include <string>
@@ -16,7 +16,7 @@ void expectFloor(Bench& bench, std::size_t spot, float value) {
                    Ground::reflection(bench.surroundings().floor_color), kUneven, "");
 }
 
-/// @param read judges all spots of the device
+/// @param read function that judges all spots of the device
 template <class Device>
 std::vector<Check> floorCheck(Bench& bench, void (*read)(Bench&, const Device&)) {
   if (!bench.isListed(Device::kType)) {

@@ -1,5 +1,5 @@
-// The encoders say the angles that the joints are turned to. A handbot has no camera, so its own encoders are all that
-// measures the motion.
+// The encoders measure the commanded angles of the joints. A handbot has no camera, so its own encoders are the only
+// measurement of the motion.
 #include <array>
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@ namespace {
 
 using JointAngles = std::array<double, HandbotArmsState::kJoints>;
 
-/// What the encoders have said while the arms moved.
+/// Readings of the encoders during a motion.
 struct Motion {
   JointAngles before{};
   JointAngles speeds{};  // sums [rad/s]
@@ -32,9 +32,10 @@ struct Motion {
   }
 };
 
-/// The mean of the speeds times the time is about the way: a speed that has the wrong sign or unit is found, or none.
+/// The mean speed times the duration is about the distance: this detects a speed with a wrong sign or unit, or without
+/// a value.
 void judgeSpeeds(Bench& bench, const Motion& motion, double took) {
-  // Speeds are those of moments, and over topics a busy machine misses some: three readings of 0.1 s at full speed.
+  // Speeds are instantaneous, and over topics a busy machine misses some: three readings of 0.1 s at full speed.
   constexpr double kAllowed = 0.3 * HandbotArms::kFastest;  // rad
   for (std::size_t i = 0; i < motion.speeds.size(); ++i) {
     bench.expectNear("way by the speeds of " + std::string(HandbotArmsState::kNames[i]),
@@ -43,7 +44,8 @@ void judgeSpeeds(Bench& bench, const Motion& motion, double took) {
   }
 }
 
-/// Moves each joint to an angle of its own, so that no two can be confused; first so far that the speeds tell.
+/// Moves each joint to a different angle, so that none can be mistaken for another; the first motion is the longest, so
+/// that the speeds can be judged.
 Check arms(Bench& bench) {
   Check check{HandbotArms::kType, {HandbotArms::kType, HandbotArmsState::kType}, "", {}, {}};
   const auto motion = std::make_shared<Motion>();

@@ -1,4 +1,4 @@
-// The left hand holds on to the board that is before it, the right one does not.
+// The left hand holds on to the board before it, the right one does not.
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "../checks.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
@@ -6,7 +6,7 @@
 namespace swarmanoid::conformance {
 namespace {
 
-/// Checks that the left hand touches an object when suction is on.
+/// Checks that the left hand holds the board when suction is on.
 Check hands(Bench& bench) {
   Check check{HandbotHands::kType,
               {HandbotHands::kType, HandbotHandsState::kType, HandbotArms::kType},

@@ -1,4 +1,4 @@
-// Palms feel, and cups hold, what the left hand meets and the right one does not.
+// Palm sensors and suction cups of the left hand react to the board; those of the right hand do not.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -13,10 +13,10 @@ namespace swarmanoid::conformance {
 namespace {
 
 constexpr double kMovingTime = 2.0;  // s
-constexpr double kLevel = 0.05;      // rad, of the shoulder: the hand meets the board
-constexpr double kRaised = -1.3;     // rad, likewise: it looks over the board
+constexpr double kLevel = 0.05;      // rad, of the shoulder: the hand touches the board
+constexpr double kRaised = -1.3;     // rad, of the shoulder: the palm faces over the board
 
-/// Moves the left arm, the right one being raised. @param shoulder [rad]
+/// Moves the left arm while the right one is raised. @param shoulder [rad]
 Stage stretch(Bench& bench, double shoulder) {
   return {"moving the left arm",
           kMovingTime,
@@ -71,7 +71,7 @@ void judgeCups(Bench& bench, bool holds) {
   bench.expectTrue("the right hand has no vacuum: " + text(vacuum.right), most(vacuum.right) < kOpen);
 }
 
-/// Suction is on in both hands: only the cups tell that one of them is in the air.
+/// Both hands have suction: only the cups show that one of them is in the air.
 std::vector<Check> cupChecks(Bench& bench) {
   if (!bench.isListed(HandbotVacuum::kType)) {
     return {};

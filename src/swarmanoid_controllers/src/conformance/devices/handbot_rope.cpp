@@ -1,4 +1,4 @@
-// The rope attaches, wound in it is shorter and pulls; it lets go.
+// The rope attaches, becomes shorter and pulls when wound in, and detaches.
 #include <memory>
 
 #include "../checks.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 Check rope(Bench& bench) {
   Check check{HandbotRope::kType, {HandbotRope::kType, HandbotRopeState::kType}, needsCeiling(bench), {}, {}};
-  check.follows = {HandbotHands::kType, HandbotProximity::kType, HandbotVacuum::kType};  // hands work on the ground
+  check.follows = {HandbotHands::kType, HandbotProximity::kType, HandbotVacuum::kType};  // they start on the ground
   constexpr double kPatience = 10.0;                                                     // s
   const auto state = [&bench] { return bench.sensor<HandbotRopeState>(); };
   const auto before = std::make_shared<double>(0.0);

@@ -1,4 +1,4 @@
-// Of the parts that any robot holds with, those hold that have something within reach, and no others; ropes are wound.
+// Holders of any robot: those with an object within reach hold it, the others do not; ropes can be wound.
 #include "swarmanoid_interface/devices/holders.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ bool shallHold(const Bench& bench, std::size_t holder) {
   return std::find(held.begin(), held.end(), holder) != held.end();
 }
 
-/// One after the other, so that none can stand for another.
+/// Holders are commanded one after the other, so that none can be mistaken for another.
 void judgeWhile(Bench& bench, std::size_t commanded) {
   const auto& holders = bench.sensor<HolderStates>()->holders;
   for (std::size_t i = 0; i < holders.size(); ++i) {
@@ -36,7 +36,7 @@ void judgeWhile(Bench& bench, std::size_t commanded) {
   }
 }
 
-/// Winds a rope in and out; of what is no rope there is nothing to wind.
+/// Winds a rope in and out; holders without a rope are not judged.
 void wind(Check& check, Bench& bench, std::size_t holder) {
   constexpr double kTime = 2.0;       // s
   constexpr double kWinding = 0.05;   // m/s
@@ -92,7 +92,7 @@ std::vector<Check> holdersChecks(Bench& bench) {
     return {check};
   }
   check.is_at_start = true;
-  check.follows = {Joints::kType};  // which ends as it begins: with the arms where something is within reach
+  check.follows = {Joints::kType};  // which ends as it starts: with the arms at the objects
   for (std::size_t i = 0; i <= *std::max_element(held.begin(), held.end()); ++i) {
     tryHolder(check, bench, i);
   }

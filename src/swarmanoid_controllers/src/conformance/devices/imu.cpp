@@ -1,4 +1,5 @@
-// Any robot that stands level feels gravity upwards and no turning; one with a differential drive turns to either side.
+// The sensor of any level robot at rest measures gravity upwards and no rotation; a robot with a differential drive
+// also turns to either side.
 #include "swarmanoid_interface/devices/imu.hpp"
 
 #include "../checks.hpp"
@@ -9,7 +10,7 @@ namespace {
 
 constexpr double kTurningTime = 2.0;  // s
 
-/// Turns, and judges while it still does.
+/// Turns, and judges during the turn.
 Stage turnAndFeel(Bench& bench, const char* side, double rate) {
   constexpr double kLeastRate = 0.05;  // rad/s, allowed error
   return {std::string("turning to the ") + side,
@@ -26,7 +27,7 @@ Stage turnAndFeel(Bench& bench, const char* side, double rate) {
 std::vector<Check> imuChecks(Bench& bench) {
   Check at_rest{"imu_at_rest", {Imu::kType}, "", {}, {}};
   at_rest.stages.push_back(settle(bench, [&bench] {
-    constexpr double kUneven = 1.0;    // m/s2, of a floor that leans by 6 degrees
+    constexpr double kUneven = 1.0;    // m/s2, for a floor with a slope of 6 degrees
     constexpr double kDrifting = 0.1;  // rad/s
     const Imu& imu = *bench.sensor<Imu>();
     bench.expectAbout("acceleration upwards at rest", imu.linear_acceleration.z(), Imu::kGravity, kUneven, "m/s2");
@@ -38,7 +39,7 @@ std::vector<Check> imuChecks(Bench& bench) {
   if (bench.isListed(DifferentialDrive::kType)) {
     constexpr double kRate = 0.5;  // rad/s
     Check turns{"imu_turns", {Imu::kType, DifferentialDrive::kType}, "", {}, {}};
-    turns.follows = {DifferentialDrive::kType};  // which begins where the robot was put
+    turns.follows = {DifferentialDrive::kType};  // that check begins at the start pose
     turns.stages = {turnAndFeel(bench, "left", kRate), turnAndFeel(bench, "right", -kRate)};
     checks.push_back(turns);
   }

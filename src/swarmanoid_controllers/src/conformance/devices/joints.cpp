@@ -1,5 +1,5 @@
-// The encoders of any robot's joints say the angles and speeds that these are turned to. The angles are small, so that
-// stops are not met; no two are equal, so that joints are not confused.
+// The encoders of any robot's joints measure the commanded angles and speeds. The angles are small, so that no joint
+// reaches a stop, and all different, so that no joint can be mistaken for another.
 #include "swarmanoid_interface/devices/joints.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Angles = std::vector<double>;
 
-/// What a joint is turned to: at first, then again. [rad]
+/// Commanded angle of a joint, in the first or the second motion [rad].
 double angleOf(std::size_t joint, bool is_first) {
   const double angle = 0.15 + 0.05 * static_cast<double>(joint);
   return (joint % 2 == 0) == is_first ? -angle : angle;
@@ -50,11 +50,11 @@ void turnToAngles(Check& check, Bench& bench, bool is_first) {
   }));
 }
 
-/// From the second angles on to between the two, where no stop is.
+/// Turns from the second angles to angles between both, where no joint has a stop.
 void turnAtSpeeds(Check& check, Bench& bench) {
   constexpr double kTime = 1.0;         // s
   constexpr double kLeastSpeed = 0.06;  // rad/s, allowed error
-  constexpr double kLeastWay = 0.06;    // rad, likewise
+  constexpr double kLeastWay = 0.06;    // rad, allowed error
   const auto before = std::make_shared<Angles>();
   const auto speedOf = [](std::size_t joint) { return angleOf(joint, true); };  // rad/s: back in a second
   Stage turn{"turning joints at speeds", kTime, nullptr, nullptr, nullptr, nullptr};

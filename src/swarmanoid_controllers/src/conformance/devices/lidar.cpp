@@ -1,4 +1,4 @@
-// Any robot with a lidar that lies level and looks ahead measures the wall on its right.
+// Any robot with a level lidar that faces ahead measures the wall on its right.
 #include "swarmanoid_interface/devices/lidar.hpp"
 
 #include "../wall_on_the_right.hpp"

@@ -1,5 +1,5 @@
-// Any robot with light sensors feels the lamp where it is tested, most where it looks at it; one with a differential
-// drive turns, and feels it on another side.
+// The light sensors of any robot detect the lamp at the test place; those that face it read most. A robot with a
+// differential drive turns, and detects it on another side.
 #include "swarmanoid_interface/devices/light.hpp"
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ std::string needsLamp(const Bench& bench) {
   return bench.surroundings().has_lamp ? "" : "nothing shines here (lamp is false)";
 }
 
-/// Where the light comes from: the sum of the readings, as vectors.
+/// Vector towards the light: the sum of the readings as vectors.
 Eigen::Vector2d lightVector(const Light& light) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const LightReading& reading : light.sensors) {
@@ -36,8 +36,8 @@ Check feelsLamp(Bench& bench) {
     constexpr double kDark = 1e-6;
     const Light& light = *bench.sensor<Light>();
     const double bearing = lightBearing(bench);
-    double towards = 0.0;  // the most that sensors read which look there
-    double away = 0.0;     // likewise
+    double towards = 0.0;  // maximum reading of the sensors that face the light
+    double away = 0.0;     // maximum reading of the others
     for (const LightReading& reading : light.sensors) {
       const double off = std::abs(wrapAngle(static_cast<double>(reading.angle) - bearing));
       double& most = off < M_PI / 2.0 ? towards : away;
@@ -54,9 +54,9 @@ Check feelsLamp(Bench& bench) {
 Check turnsBelowLamp(Bench& bench) {
   constexpr double kRate = 0.5;   // rad/s
   constexpr double kTurn = 1.0;   // rad
-  constexpr double kError = 0.3;  // rad, allowed: sensors may be few
+  constexpr double kError = 0.3;  // rad, allowed error: there may be few sensors
   Check check{"light_turns", {Light::kType, DifferentialDrive::kType}, needsLamp(bench), {Light::kType}, {}};
-  check.follows = {DifferentialDrive::kType};  // which begins where the robot was put
+  check.follows = {DifferentialDrive::kType};  // that check begins at the start pose
   const auto before = std::make_shared<double>(0.0);
   check.stages.push_back(settle(bench, [&bench, before] { *before = lightBearing(bench); }));
   check.stages.push_back({"turning to the left", kTurn / kRate, nullptr,

@@ -1,4 +1,4 @@
-// A loudspeaker sounds a loud tone and a quieter, lower one, then falls silent: an observer with microphones judges.
+// A loudspeaker plays a loud tone and a quieter, lower one, then falls silent: an observer with microphones judges.
 #include "swarmanoid_interface/devices/loudspeaker.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ struct Tone {
 };
 constexpr Tone kLoud{70.0, 880.0};
 constexpr Tone kQuiet{60.0, 440.0};
-constexpr double kToneTime = 3.0;  // s, of each
+constexpr double kToneTime = 3.0;  // s, for each tone
 
 std::vector<Check> loudspeakerChecks(Bench& bench) {
   if (!bench.isListed(Loudspeaker::kType)) {
@@ -36,7 +36,7 @@ std::vector<Check> loudspeakerChecks(Bench& bench) {
   return {check};
 }
 
-/// The level in the middle of the microphones [dB].
+/// Mean power level of the microphones [dB].
 double loudnessOf(const Microphones& heard) {
   double power = 0.0;
   for (const Microphone& microphone : heard.sensors) {
@@ -52,7 +52,7 @@ double loudnessOf(const FootbotMicrophones& heard) {
   return Sound::level(power);
 }
 
-/// How loud each tone was when it was heard last [dB].
+/// Last measured level of each tone [dB].
 struct HeardTones {
   std::optional<double> loud;
   std::optional<double> quiet;
@@ -70,7 +70,7 @@ struct HeardTones {
   }
 };
 
-/// @tparam Device Microphones or FootbotMicrophones, which hear nothing else as loud
+/// @tparam Device Microphones or FootbotMicrophones, without another source as loud
 template <class Device>
 std::vector<Check> heardFromOther(Bench& bench) {
   constexpr double kPatience = 60.0;  // s

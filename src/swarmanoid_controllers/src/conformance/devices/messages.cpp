@@ -1,5 +1,5 @@
-// A partner answers what the robot says: in time, from where it is, and only while the robot calls it. By radio, what
-// is for another robot is neither answered nor heard.
+// A partner answers the robot's calls: in time, from its position, and only while the robot calls it. By radio,
+// messages to another address are neither answered nor received.
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -18,10 +18,10 @@ namespace swarmanoid::conformance {
 namespace {
 
 constexpr double kPartnerPatience = 10.0;  // s, until the partner answers for the first time
-constexpr double kPartnerBearing = 0.15;   // rad, of how robots are placed
+constexpr double kPartnerBearing = 0.15;   // rad, placement error of robots
 
-/// The talk of a robot with its partner, by one kind of device.
-/// @tparam Device the one that sends @tparam Heard the one that hears
+/// Messages between a robot and its partner, by one kind of device.
+/// @tparam Device the transmitter @tparam Heard the receiver
 template <class Device, class Heard>
 class Talk {
  public:
@@ -30,14 +30,14 @@ class Talk {
 
   explicit Talk(Bench& bench) : bench_(bench), partner_(bench.surroundings().partner) {}
 
-  /// Says something new, and goes on with it.
+  /// Sends a new call, repeated in each tick.
   void call() { say(partner_, true); }
-  /// Likewise to the partner's address, or to that of another robot: radios only.
+  /// Send a new call to the partner's address, or to that of another robot: radios only.
   void callPrivately() { say(partner_, false); }
   void callAnother() { say(partner_ + "'s neighbour", false); }
   void fallSilent() { bench_.actuator<Device>()->fallSilent(); }
 
-  /// Fails if it hears itself, or what is for another robot.
+  /// Fails if the robot receives its own call, or a message to another address.
   void listen() {
     for (const Message& message : bench_.sensor<Heard>()->messages) {
       if (message.payload == call_) {
@@ -48,7 +48,7 @@ class Talk {
       }
     }
   }
-  /// Returns the first answer to what it says; null: there is none.
+  /// Returns the first answer to the current call; null: there is none.
   const Message* answer() const {
     for (const Message& message : bench_.sensor<Heard>()->messages) {
       if (message.payload == answerTo(call_)) {
@@ -75,7 +75,7 @@ class Talk {
   std::uint8_t count_ = 0;
 };
 
-/// Says something new until it is answered. @param say of Talk @param judge of the answer, or null
+/// Sends a new call until it is answered. @param say function of Talk @param judge of the answer, or null
 template <class SomeTalk>
 Stage callUntilAnswered(const std::shared_ptr<SomeTalk>& talk, const char* what, double seconds,
                         void (SomeTalk::*say)(), std::function<void(const typename SomeTalk::Message&)> judge) {
@@ -92,7 +92,7 @@ Stage callUntilAnswered(const std::shared_ptr<SomeTalk>& talk, const char* what,
           }};
 }
 
-/// Waits for as long as an answer may take, and judges that there is none. @param say of Talk
+/// Waits for the maximum time of an answer, and checks that there is none. @param say function of Talk
 template <class SomeTalk>
 Stage expectNoAnswer(Bench& bench, const std::shared_ptr<SomeTalk>& talk, const char* what, void (SomeTalk::*say)()) {
   Stage stage{what,    bench.settlingTime() + bench.surroundings().answer_time,
@@ -110,7 +110,7 @@ void judgePlace(Bench& bench, const RangeAndBearingMessage& answer) {
   if (place.partner_distance == 0.0) {
     return;
   }
-  constexpr double kDistance = 0.05;  // m, accuracy with which robots are placed
+  constexpr double kDistance = 0.05;  // m, placement error of robots
   bench.expectAbout("range of the partner", static_cast<double>(answer.range),
                     std::hypot(place.partner_distance, place.partner_height), kDistance, "m");
   bench.expectAngle("bearing of the partner", static_cast<double>(answer.bearing), place.partner_bearing,
@@ -148,7 +148,7 @@ Check talkCheck(Bench& bench) {
   return check;
 }
 
-/// Turned to the left, and back, the partner's bearing changes by as much the other way.
+/// During a turn to the left and back, the partner's bearing changes by the same angle in the other direction.
 Check bearingTurns(Bench& bench, const Drive& drive) {
   using SomeTalk = Talk<RangeAndBearing, RangeAndBearingReceived>;
   constexpr double kRate = 0.5;  // rad/s
@@ -201,7 +201,7 @@ std::vector<Check> messageChecks(Bench& bench) {
   return checks;
 }
 
-/// The partner's part: it answers calls for it. @return whether there was one
+/// The partner's part: answers calls to it. @return whether there was one
 template <class Device, class Heard>
 bool answerCalls(Bench& bench) {
   Device& device = *bench.actuator<Device>();

@@ -1,5 +1,5 @@
-// Any robot with microphones hears what sounds where it is tested; one with a differential drive turns, and hears it
-// from another side.
+// Any robot with microphones detects the sound source at the test place; a robot with a differential drive turns, and
+// detects it in another direction.
 #include "swarmanoid_interface/devices/microphones.hpp"
 
 #include <cmath>
@@ -22,7 +22,7 @@ std::string needsSound(const Bench& bench) {
   return bench.surroundings().has_sound ? "" : "nothing sounds here (sound is false)";
 }
 
-/// Of a microphone: where it is, and what it hears.
+/// A microphone: its position, and its reading.
 struct Ear {
   Eigen::Vector2d place;  // m
   double level = 0.0;     // dB
@@ -46,7 +46,8 @@ std::vector<Ear> earsOf(const FootbotMicrophones& heard) {
 
 bool tellsDirections(const std::vector<Ear>& ears) { return ears.size() >= LoudestSound::kFewestForBearing; }
 
-/// How levels rise along the ground towards the bearing that the robot reports. @return more than 0 if they do
+/// Correlation of the levels with the microphones' positions along the reported bearing. @return above 0 if levels rise
+/// towards it
 double riseTowards(double bearing, const std::vector<Ear>& ears) {
   double mean = 0.0;
   for (const Ear& ear : ears) {
@@ -80,7 +81,7 @@ template <class Device>
 Check turns(Bench& bench) {
   const std::string type = Device::kType;
   Check check{type + "_turn", {type, DifferentialDrive::kType}, needsSound(bench), {type + "_hear"}, {}};
-  check.follows = {DifferentialDrive::kType};  // which begins where the robot was put
+  check.follows = {DifferentialDrive::kType};  // that check begins at the start pose
   const auto before = std::make_shared<double>(0.0);
   check.stages.push_back(settle(bench, [&bench, before] { *before = bench.sensor<Device>()->loudest.bearing; }));
   check.stages.push_back({"turning to the left", kListeningTurn / kTurnRateToListen, nullptr,

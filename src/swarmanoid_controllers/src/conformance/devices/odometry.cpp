@@ -1,5 +1,5 @@
-// Driven along an arc, odometry and positioning of a robot are where the formula of the arc says, odometry at the
-// speeds that are commanded, and its encoders have turned for it.
+// After a drive along an arc, a robot's odometry and positioning match the formula of the arc. During the drive the
+// speeds of the odometry and the angles of the encoders match the motion.
 #include "swarmanoid_interface/devices/odometry.hpp"
 
 #include <cmath>
@@ -20,12 +20,12 @@ constexpr double kArcSpeed = 0.06;  // m/s
 constexpr double kArcRate = 0.45;   // rad/s, to the left
 constexpr double kArcTime = 2.0;    // s
 
-/// What a check has to do with an arc.
+/// Callbacks of a check during an arc.
 struct Arc {
   std::function<void()> remember;                                        ///< before the robot drives
   std::function<void()> watch;                                           ///< in each tick of the drive
-  std::function<void(double seconds)> moving;                            ///< at its end, while the robot still drives
-  std::function<void(double speed, double rate, double seconds)> judge;  ///< at rest after it
+  std::function<void(double seconds)> moving;                            ///< at its end, with the robot still moving
+  std::function<void(double speed, double rate, double seconds)> judge;  ///< at rest after the drive
 };
 
 /// Drives an arc and the same way back.
@@ -57,7 +57,7 @@ Check driveArc(Bench& bench, const char* device, const Arc& arc) {
   return check;
 }
 
-/// The mean of a speed while the robot drives: that of one tick is coarse where encoders are.
+/// Mean speed during a drive: with encoders the speed of a single tick has a coarse resolution.
 struct Mean {
   double sum = 0.0;
   double ticks = 0.0;
@@ -69,7 +69,7 @@ struct Mean {
   double value() const { return ticks > 0.0 ? sum / ticks : 0.0; }
 };
 
-/// What odometry has said while the robot drove.
+/// Odometry readings of a drive.
 struct Driven {
   Odometry before;
   Odometry there;  ///< at the end of the drive
@@ -77,7 +77,7 @@ struct Driven {
   Mean turn_rate;
 };
 
-/// The speeds are those of the pose, which is judged by what was commanded.
+/// The speeds must match the change of the pose, which is compared with the commands elsewhere.
 void judgeSpeeds(Bench& bench, const Driven& driven, double seconds) {
   const Odometry& now = driven.there;
   const double turned = wrapTurn(now.heading - driven.before.heading);
@@ -88,12 +88,12 @@ void judgeSpeeds(Bench& bench, const Driven& driven, double seconds) {
                     "rad");
 }
 
-/// Where a sensor says that the robot is, in a frame of its own [m, rad].
+/// Pose that a sensor reports, in its own frame [m, rad].
 struct PlanarPose {
   double x, y, heading;
 };
 
-/// @param sensor what says so: "odometry"
+/// @param sensor its name for the message: "odometry"
 void judgePlace(Bench& bench, const std::string& sensor, const PlanarPose& before, const PlanarPose& now, double radius,
                 double turn) {
   const double cosine = std::cos(before.heading);
@@ -146,18 +146,18 @@ std::vector<Check> positioningChecks(Bench& bench) {
   return {driveArc(bench, Positioning::kType, arc)};
 }
 
-/// What the encoders have said while the robot drove.
+/// Encoder readings of a drive.
 struct Turned {
   WheelEncoders before;
   Mean left;   ///< speed [rad/s]
-  Mean right;  ///< likewise
+  Mean right;  ///< speed [rad/s]
 };
 
-/// The wheels' size is not known here: that their speeds and angles say the same finds a unit that is wrong in one of
-/// them. How long a step lasts is the driver's affair, so only its direction is judged.
+/// The wheels' size is not known here: comparing their speeds and angles detects a wrong unit in one of them. The
+/// duration of a step depends on the driver, so only its direction is judged.
 void judgeWheel(Bench& bench, const std::string& name, const WheelEncoders::Wheel& now, double turned,
                 double expected) {
-  constexpr double kLeast = 0.4;  // rad, allowed error: that of two ticks, in which the wheel begins to turn
+  constexpr double kLeast = 0.4;  // rad, allowed error: two ticks in which the wheel accelerates
   bench.expectAbout("the " + name + " wheel has turned by", turned, expected, kLeast, "rad");
   bench.expectTrue("the last step of the " + name + " wheel goes the way that it turns", now.step * turned >= 0.0);
 }
@@ -179,7 +179,7 @@ std::vector<Check> encoderChecks(Bench& bench) {
     const WheelEncoders& now = *bench.sensor<WheelEncoders>();
     const double left = now.left.turned - seen->before.left.turned;
     const double right = now.right.turned - seen->before.right.turned;
-    // on an arc to the left the right one turns further, either way
+    // on an arc to the left the right wheel turns further, forwards and backwards
     bench.expectTrue("both wheels have turned the way that it drove", left * speed > 0.0 && right * speed > 0.0);
     bench.expectTrue("the outer wheel has turned further", std::abs(right) > std::abs(left));
     bench.expectNear("speed of the left wheel, at rest", now.left.speed, 0.0, 0.2, "rad/s");

@@ -1,4 +1,4 @@
-// The antenna reads the tag below it, writes to it, and to no other one; driven away, it reads nothing.
+// The antenna reads the tag below it, writes to it and to no other tag, and reads none after the robot has driven away.
 #include "swarmanoid_interface/devices/rfid.hpp"
 
 #include <memory>
@@ -14,7 +14,7 @@ std::string needsTag(const Bench& bench) {
   return bench.surroundings().tag_id > 0 ? "" : "there is no radio tag below the antenna (tag_id is 0)";
 }
 
-/// Judges that the nearest tag is the one below the robot, and holds that.
+/// Judges that the nearest tag is the one below the robot, and contains `data`.
 void expectTag(Bench& bench, std::uint32_t data) {
   const RfidReader& reader = *bench.sensor<RfidReader>();
   if (reader.tags.size() == 0) {
@@ -56,13 +56,13 @@ Check leavesTag(Bench& bench, const Drive& drive) {
   return check;
 }
 
-/// Writes to the nearest tag, to this one by its id, and to one that is not here; at last what it held before.
+/// Writes to the nearest tag, to an absent one, and to this one by its id, which restores its data.
 Check writesTag(Bench& bench) {
   Check check{RfidWriter::kType, {RfidWriter::kType, RfidReader::kType}, needsTag(bench), {RfidReader::kType}, {}};
   check.is_at_start = true;
   const std::uint32_t id = bench.surroundings().tag_id;
   const std::uint32_t before = bench.surroundings().tag_data;
-  constexpr std::uint32_t kPattern = 0x01020304;  // whose bytes differ
+  constexpr std::uint32_t kPattern = 0x01020304;  // all its bytes differ
   const std::uint32_t other = before + kPattern;
   struct Write {
     std::uint32_t id;

@@ -1,5 +1,6 @@
-// The encoders of any robot's wheels say how far these are turned, each at a speed of its own. That they take the robot
-// ahead is found by the check of its differential drive, or by its odometry. They rest between checks.
+// The encoders of any robot's wheels measure the commanded turns, at a different speed for each wheel. Whether the
+// wheels drive the robot ahead is left to the checks of its differential drive or its odometry. The wheels rest between
+// checks.
 #include "swarmanoid_interface/devices/wheels.hpp"
 
 #include <memory>

@@ -3,8 +3,8 @@
 /// swarmanoid_add_controller makes one for each controller, named `<package>/<label>`. The plain
 /// swarmanoid_hosts/ControllerNodelet hosts any controller, such as one whose library is only named by a path.
 ///
-/// With the private parameter `robots` it needs no space in its process. The parameter `provider` selects where the
-/// robots' devices come from: `lockstep`, a space elsewhere (participant.hpp), or `topics`, a robot's drivers
+/// With the private parameter `robots` it needs no space in its process. The parameter `provider` selects the source of
+/// the robots' devices: `lockstep`, a space elsewhere (participant.hpp), or `topics`, a robot's drivers
 /// (robot_host.hpp).
 #pragma once
 

@@ -1,6 +1,6 @@
 /// Converts the fields that several devices' messages share. The devices themselves are in devices/.
 ///
-/// Functions that read a message throw std::runtime_error, whose text gives what was found and what is allowed.
+/// Functions that read a message throw std::runtime_error, whose text gives the value found and the allowed values.
 #pragma once
 
 #include <geometry_msgs/Twist.h>
@@ -24,7 +24,7 @@ std_msgs::ColorRGBA toMessage(Color color);
 Color fromMessage(const std_msgs::ColorRGBA& color);
 
 void toMessage(Span<const Color> ring, swarmanoid_msgs::LedArray& message);
-/// @throws std::runtime_error unless there are as many colours as the ring has LEDs
+/// @throws std::runtime_error unless the number of colours is that of the ring's LEDs
 void fromMessage(const swarmanoid_msgs::LedArray& message, Span<Color> ring);
 
 /// The values of one joint [rad, rad/s, N m].
@@ -36,7 +36,7 @@ struct JointValues {
 /// @throws std::runtime_error if the joint, or one of its three values, is missing
 JointValues jointOf(const sensor_msgs::JointState& message, const std::string& name);
 
-/// Refuses fields of a message that a robot cannot carry out.
+/// Refuses a field of a message that is not 0, since the robot cannot carry it out.
 void refuseUnlessZero(const char* name, double value);
 /// Refuses a velocity that two wheels cannot carry out: all but linear.x and angular.z must be 0.
 void refuseUnlessForWheels(const geometry_msgs::Twist& velocity);

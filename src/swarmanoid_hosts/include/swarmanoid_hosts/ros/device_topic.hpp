@@ -2,7 +2,7 @@
 /// serves all: the simulator's views of devices, its robots that are commanded over topics, controllers on robots, and
 /// drivers.
 ///
-/// Readings go from a robot to its subscribers, commands the other way. Topics lie in the robot's namespace.
+/// Readings go from a robot to its subscribers, commands the other way. Topics are in the robot's namespace.
 ///
 /// Two functions in the device's namespace, in a header of their own, convert a device to a message and back; a macro
 /// below them registers the topic (devices/footbot_gripper.hpp is an example):
@@ -12,21 +12,21 @@
 ///     REGISTER_DEVICE_TOPIC(MyDevice, my_msgs::MyDevice, kReading, "my_device", "base_link")
 ///
 /// Fields that a message does not contain stay unchanged; the caller sets stamp and frame_id of the header.
-/// `fromMessage` throws std::runtime_error, with what was found and what is allowed, for a message that is not valid
-/// for the device; the struct may then be partly written. For a device with lists it takes VariableParts as well, which
-/// store their elements.
+/// `fromMessage` throws std::runtime_error, with the value found and the allowed values, for a message that is not
+/// valid for the device; the struct may then be partly written. For a device with lists it takes VariableParts as well,
+/// which store their elements.
 ///
 /// The headers in devices/ define the suite's topics; a source of a library that is linked with swarmanoid_hosts_ros
 /// includes the header of a further topic. A device may have more than one topic; the first is the main one.
 ///
-/// Readings that are kept for several ticks have, beside the two, `double ageOf(const MyDevice& device)`: how long ago
-/// they were made [s]. Their stamp is that time, and the simulator publishes each once.
+/// Readings that stay for several ticks need a third function, `double ageOf(const MyDevice& device)`: their age [s].
+/// The stamp of the message is the time when they were made, and the simulator publishes each reading once.
 ///
-/// A device that registers no topic has one all the same, of its fields by name (device_fields.hpp): a sensor
-/// `<type>`, in frame base_link; an actuator `<type>/command`.
+/// A device that registers no topic gets a generic one, of its fields by name (device_fields.hpp): a sensor `<type>`,
+/// in frame base_link; an actuator `<type>/command`.
 ///
-/// Threads  topics register while a library loads (one thread, while nobody looks for topics); afterwards they are
-/// looked for from any thread.
+/// Threads  topics register while a library loads (one thread, without concurrent lookups); afterwards they may be
+/// looked up from any thread.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -57,20 +57,21 @@ struct DeviceTopic {
 
   /// Advertises the topic in the namespace of `robot`.
   ros::Publisher (*advertise)(ros::NodeHandle& robot, const DeviceTopic& topic) = nullptr;
-  /// Does the same; whoever subscribes later gets the last message.
+  /// Does the same, latched: later subscribers get the last message.
   ros::Publisher (*advertiseLatched)(ros::NodeHandle& robot, const DeviceTopic& topic) = nullptr;
-  /// @param header stamp, and for readings the frame; it is left out if the message has no header
+  /// @param header stamp, and for readings the frame; ignored if the message has no header
   void (*publish)(const ros::Publisher& publisher, const DeviceTopic& topic, const void* device,
                   const std_msgs::Header& header) = nullptr;
-  /// Returns how old the readings are [s]. Null if the device has no `ageOf`: they are always of now.
+  /// Returns the age of the readings [s]. Null if the device has no `ageOf`: the age is always 0.
   double (*age)(const void* device) = nullptr;
-  /// Writes each message that comes to `device`, whose variable parts are stored in `parts`, and then calls `receive`,
-  /// on the thread that serves the handle's queue. @pre device and parts live as long as the subscriber
+  /// Writes each received message to `device`, whose variable parts are stored in `parts`, and then calls `receive`, on
+  /// the thread that serves the handle's queue. @pre device and parts live as long as the subscriber
   ros::Subscriber (*subscribe)(ros::NodeHandle& robot, const DeviceTopic& topic, void* device, VariableParts& parts,
                                Receiver receive) = nullptr;
 };
 
-/// Returns when readings were made, from 0 to `now`, whatever errors do to their age. @param now stamp of the tick
+/// Returns the time when readings were made, limited to [0, now], since error models may change their age.
+/// @param now stamp of the tick
 ros::Time madeAt(const DeviceTopic& topic, const void* readings, const ros::Time& now);
 
 /// Returns the topics of a device in the order of registration. @return empty if there is no such device
@@ -99,8 +100,8 @@ void refuseUnlessFinite(const Device& device) {
   }
 }
 
-/// @param parts where lists of the device are kept
-/// @throws std::runtime_error; the device and its lists are then as they were
+/// @param parts storage of the device's lists
+/// @throws std::runtime_error; the device and its lists are then unchanged
 template <class Device, class Message>
 void receive(const Message& message, Device& device, VariableParts& parts) {
   Device received = device;
@@ -126,8 +127,8 @@ struct HasAge : std::false_type {};
 template <class Device>
 struct HasAge<Device, std::void_t<decltype(ageOf(std::declval<const Device&>()))>> : std::true_type {};
 
-/// Sets the header, and for a message that is about another frame too, of whatever moves in the header's, that it is
-/// the robot's base_link: fb_1/base_link for fb_1/odom.
+/// Sets the header. A message with a child frame, which moves in the header's frame, gets the robot's base_link as
+/// child frame: fb_1/base_link for fb_1/odom.
 template <class Message>
 void setFrames(Message& message, const std_msgs::Header& header) {
   if (std_msgs::Header* message_header = ros::message_traits::header(message)) {
@@ -138,7 +139,7 @@ void setFrames(Message& message, const std_msgs::Header& header) {
   }
 }
 
-/// Makes a topic of that message, which cannot be published or subscribed yet.
+/// Makes a topic of that message, without the functions `publish` and `subscribe`.
 template <class Message>
 DeviceTopic makeTopicOfMessage(const std::string& device, DeviceTopic::Kind kind, const std::string& name,
                                const std::string& frame) {

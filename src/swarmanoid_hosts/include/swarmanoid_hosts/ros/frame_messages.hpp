@@ -1,4 +1,4 @@
-/// Converts between frames and messages: those that space and participants exchange, and those that are recorded.
+/// Converts between frames and messages, for the exchange between space and participants and for recordings.
 #pragma once
 
 #include <ros/serialization.h>
@@ -23,7 +23,8 @@ SensorFrame fromMessage(const swarmanoid_msgs::SensorFrame& message);
 void toMessage(const CommandFrame& frame, swarmanoid_msgs::CommandFrame& message);
 CommandFrame fromMessage(const swarmanoid_msgs::CommandFrame& message);
 
-/// As topics send them. @throws ros::serialization::StreamOverrunException if the bytes are none of these messages
+/// Converts messages to bytes and back, as topics do. @throws ros::serialization::StreamOverrunException if the bytes
+/// are not one of these messages
 template <class Message>
 void toBytes(const Message& message, Bytes& bytes) {
   bytes.resize(ros::serialization::serializationLength(message));

@@ -1,8 +1,8 @@
-/// Reads the private parameters of a node or nodelet, strictly: a value of another type, one out of bounds and a name
-/// that nobody reads are refused, where ros::NodeHandle::param would go on with what it takes for usual.
+/// Reads the private parameters of a node or nodelet strictly: values of another type or out of bounds and unread names
+/// are refused, whereas ros::NodeHandle::param would use its default.
 ///
-/// Threads  of one thread; it waits for the master.
-/// Errors   ConfigError with the namespace, the parameter, what was found and what is allowed
+/// Threads  one thread; calls wait for the master.
+/// Errors   ConfigError with the namespace, the parameter, the value found and the allowed values
 #pragma once
 
 #include <ros/node_handle.h>
@@ -16,27 +16,28 @@
 
 namespace swarmanoid {
 
-/// Converts parameters of any scalar type to text first, so that launch files may pass "" for "not given"; where the
-/// function says so, "none" too, since roslaunch lists arguments whose default is empty as required.
+/// Converts parameters of any scalar type to text first, so that launch files may pass "" for "not given". Some
+/// functions accept "none" too, since roslaunch lists arguments whose default is empty as required.
 class ParameterReader {
  public:
   explicit ParameterReader(const ros::NodeHandle& own) : own_(own) {}
 
   std::string text(const std::string& name, const std::string& fallback);
-  /// "" if it is not given or "none".
+  /// Returns "" if it is not given or "none".
   std::string optional(const std::string& name);
   double number(const std::string& name, double fallback, Range range);
-  /// A whole number; nothing if it is not given or "none".
+  /// Returns an integer; nothing if it is not given or "none".
   std::optional<std::uint64_t> count(const std::string& name, Range range);
   bool boolean(const std::string& name, bool fallback);
-  /// @param allowed the first one is meant if it is not given
+  /// @param allowed the first one is the default
   std::string choice(const std::string& name, const std::vector<std::string>& allowed);
-  /// What spaces separate.
+  /// Returns the words that spaces separate.
   std::vector<std::string> words(const std::string& name);
-  /// The same, but none of them if the only word is "none".
+  /// Returns the same, or an empty list if the only word is "none".
   std::vector<std::string> optionalWords(const std::string& name);
 
-  /// To be called when all has been read. @param parts that others read: "engines" stands for ~engines/ground/id, too
+  /// Refuses parameters that have not been read; call it last. @param parts names that other readers read: "engines"
+  /// includes ~engines/ground/id
   void refuseUnread(const std::vector<std::string>& parts) const;
 
   SourceLocation location() const { return {own_.getNamespace(), 0}; }

@@ -16,7 +16,7 @@ namespace swarmanoid {
 
 class PartNodelet : public nodelet::Nodelet {
  public:
-  /// Waits for the tick boundary; a space that cannot go on without this part is stopped by then.
+  /// Waits for the tick boundary; a space that cannot continue without this part is stopped there.
   ~PartNodelet() override;
 
  protected:

@@ -4,8 +4,8 @@
 /// Private parameters: `robots`, names separated by spaces; `space`, the space's node (/space); `timeout` [s] and
 /// `policy`, see swarmanoid_msgs/Register (the space's); `parameters`, which the controller reads instead of the
 /// `<parameters>` of the experiment file; `library` of a controller that is not loaded in this process yet;
-/// `use_topics` (false): frames travel on the topics of the participant even if the space is on this computer, where
-/// they go by a socket otherwise.
+/// `use_topics` (false): frames use the topics of the participant even if the space is on this computer; by default
+/// they then use a socket.
 ///
 /// If it is the only nodelet in its process, the exit code is 0 when the space has ended, 4 when the space refuses it.
 ///
@@ -31,7 +31,7 @@ namespace swarmanoid {
 
 class Participant {
  public:
-  /// Those of the private parameters that only a participant reads.
+  /// The private parameters that only a participant reads.
   struct Options {
     std::vector<std::string> robots;
     std::string space = "/space";
@@ -54,7 +54,8 @@ class Participant {
   /// @return false if the process ends meanwhile @throws std::runtime_error if the space refuses
   bool registerWithSpace(swarmanoid_msgs::Register::Response& response);
   Registration adapt(Registration registration);
-  /// To the socket of the space, if it is on this computer. @return its number there; 0: frames travel on topics
+  /// Connects to the socket of the space, if that is on this computer. @return the connection's number in the space; 0:
+  /// frames use topics
   std::uint64_t connect();
   /// Answer frames until the space is gone.
   void answerMessages();

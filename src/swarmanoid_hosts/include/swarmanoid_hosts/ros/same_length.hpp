@@ -1,4 +1,4 @@
-/// Messages whose lists belong together: the elements of one number are one sensor, joint or tag.
+/// Checks messages with parallel lists: elements of the same index belong to one sensor, joint or tag.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ struct MessageList {
   std::size_t size;
 };
 
-/// Refuses lists that are not of one length. On any thread. @param lists two or more @param most elements that a device
-/// has room for @return their length @throws std::runtime_error
+/// Refuses lists of different lengths. Thread-safe. @param lists two or more @param most the capacity of the device
+/// @return their length @throws std::runtime_error
 inline std::size_t sameLength(std::initializer_list<MessageList> lists, std::size_t most) {
   const std::size_t length = lists.begin()->size;
   if (length <= most &&
@@ -25,7 +25,7 @@ inline std::size_t sameLength(std::initializer_list<MessageList> lists, std::siz
   }
   std::string text = "found ";
   for (const MessageList* list = lists.begin(); list != lists.end(); ++list) {
-    const std::ptrdiff_t left = lists.end() - list;  // with this one
+    const std::ptrdiff_t left = lists.end() - list;  // this one included
     text += std::to_string(list->size) + ' ' + list->name + (left > 2 ? ", " : left == 2 ? " and " : ", allowed: ");
   }
   throw std::runtime_error(text + "as many of " + (lists.size() == 2 ? "both" : "each") + ", at most " +

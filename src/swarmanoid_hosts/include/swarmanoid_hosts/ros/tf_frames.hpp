@@ -8,7 +8,7 @@ namespace swarmanoid {
 /// The fixed frame of all robots, z up.
 constexpr const char* kWorldFrame = "world";
 
-/// Returns `<name>/<link>`, the frame of an entity's link; kWorldFrame is nobody's, and stays as it is.
+/// Returns `<name>/<link>`, the frame of an entity's link; kWorldFrame belongs to no entity, and is returned unchanged.
 inline std::string frameOf(const std::string& entity, const std::string& link = "base_link") {
   return link == kWorldFrame ? link : entity + "/" + link;
 }

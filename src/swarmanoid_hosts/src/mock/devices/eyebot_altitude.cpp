@@ -1,4 +1,4 @@
-// An eyebot's altimeter looks down on the ground, past whatever stands there.
+// An eyebot's altimeter measures the distance to the ground, and ignores objects on it.
 #include "swarmanoid_interface/devices/eyebot_altitude.hpp"
 
 #include "../mock_device.hpp"

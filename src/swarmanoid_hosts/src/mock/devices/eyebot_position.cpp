@@ -1,5 +1,5 @@
-// An eyebot flies to places by the law of the device. A mock has both its flight controllers: that which flies
-// velocities has the robot until this one is commanded to fly, and again once it is commanded to hover.
+// An eyebot flies to positions by the law of the device. A mock has both flight controllers: the one for velocities is
+// in effect while this one is commanded to hover.
 #include "swarmanoid_interface/devices/eyebot_position.hpp"
 
 #include "../mock_device.hpp"

@@ -1,4 +1,4 @@
-// A footbot's gripper holds what is near its tip, and takes it along.
+// A footbot's gripper holds an object near its tip, and carries it along.
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// A footbot's infrared ring feels the walls of the world.
+// A footbot's infrared ring senses the walls of the world.
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 
 #include "../mock_device.hpp"

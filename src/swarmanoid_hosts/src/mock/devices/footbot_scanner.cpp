@@ -1,4 +1,5 @@
-// The head of a footbot's scanner turns. It is the joint "scanner" of the robot's state, which is there while it is on.
+// The head of a footbot's scanner turns. It is the joint "scanner" of the robot's state, which exists while the scanner
+// is on.
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 
 #include "../mock_device.hpp"

@@ -1,4 +1,4 @@
-// A footbot's turret turns to an angle, or at a speed; nothing turns a passive one.
+// A footbot's turret turns to an angle, or at a speed; a passive one does not turn.
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 
 #include "../mock_device.hpp"

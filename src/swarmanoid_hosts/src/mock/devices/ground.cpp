@@ -1,4 +1,5 @@
-// The ground sensors of any robot read the discs on the floor of the world, from the ring that its values describe.
+// The ground sensors of any robot read the discs on the floor of the world, from the ring that the world's values
+// describe.
 #include "swarmanoid_interface/devices/ground.hpp"
 
 #include <cmath>

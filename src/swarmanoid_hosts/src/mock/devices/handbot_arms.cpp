@@ -1,4 +1,4 @@
-// A handbot's arms follow their commands at the joints' fastest speed, as far as the joints turn.
+// A handbot's arms follow their commands at the joints' maximum speed, within the joints' limits.
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 
 #include "../mock_device.hpp"

@@ -1,4 +1,4 @@
-// A handbot's hand that reaches out at its own height touches something, if the world has it there.
+// A handbot's hand touches an object while its arm is level, if the world has an object there.
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// The sensor in a handbot's palm feels what its hand would hold: what the world has there, with the arm stretched out.
+// The sensor in a handbot's palm senses the object that its hand would hold, if the world has one, while the arm is
+// level.
 #include "swarmanoid_interface/devices/handbot_proximity.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The cups of a handbot's hands are closed where its hand holds something.
+// The cups of a handbot's hand are closed while the hand holds an object.
 #include "swarmanoid_interface/devices/handbot_vacuum.hpp"
 
 #include "../mock_device.hpp"

@@ -1,4 +1,4 @@
-// Contact, length and force of what any robot holds with.
+// Contact, length and force of the holders of any robot.
 #include <vector>
 
 #include "../mock_device.hpp"

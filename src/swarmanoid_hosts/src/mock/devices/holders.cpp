@@ -1,4 +1,4 @@
-// What any robot holds with has something within reach: each holds at once, and lets go at once.
+// The holders of any robot always have an object within reach: they grip and release it at once.
 #include "swarmanoid_interface/devices/holders.hpp"
 
 #include <algorithm>

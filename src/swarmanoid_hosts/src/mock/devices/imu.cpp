@@ -12,7 +12,7 @@ class MockImu final : public MockDevice {
 
   void sense(const MockState& state) override {
     const Imu::Motion motion{state.twist.linear, {0.0, 0.0, state.twist.yaw_rate}, Eigen::Vector3d::UnitZ()};
-    constexpr double kAnyTime = 1.0;  // s, in which nothing changes: commands take effect at once
+    constexpr double kAnyTime = 1.0;  // [s]; has no effect, since the motion is the same before and after
     readings_ = Imu::reading(motion, motion, kAnyTime);
   }
 

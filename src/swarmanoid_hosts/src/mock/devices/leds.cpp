@@ -1,5 +1,5 @@
-// LEDs of any robot, and the rings of footbots, eyebots and handbots: nobody looks at them, but drivers publish their
-// colours.
+// LEDs of any robot, and the rings of footbots, eyebots and handbots: no mock device sees them, but drivers publish
+// their colours.
 #include "swarmanoid_interface/devices/leds.hpp"
 
 #include "../mock_device.hpp"

@@ -1,4 +1,5 @@
-// Cameras with a lens see what is in their picture, and not how far away it is. One of an eyebot is panned and tilted.
+// Cameras with a lens report the blobs in their picture, without distances. One camera of an eyebot is panned and
+// tilted.
 #include <Eigen/Geometry>
 #include <type_traits>
 

@@ -1,4 +1,5 @@
-// The light sensors of any robot feel the beacons of the world, from the ring that its values describe, on the ground.
+// The light sensors of any robot sense the beacons of the world, from the ring that the world's values describe, on the
+// ground.
 #include "swarmanoid_interface/devices/light.hpp"
 
 #include <cmath>

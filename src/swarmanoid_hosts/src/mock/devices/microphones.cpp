@@ -1,5 +1,5 @@
-// Microphones hear the beacons of the world that sound: a footbot's where they are, those of any robot from the ring
-// that its values describe, on the ground.
+// Microphones hear the sounding beacons of the world: a footbot's from their real positions, those of any robot from
+// the ring that the world's values describe, on the ground.
 #include "swarmanoid_interface/devices/microphones.hpp"
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 namespace swarmanoid::mock {
 namespace {
 
-/// Microphones at places of the robot's frame [m].
+/// Microphones at given positions in the robot's frame [m].
 class Ears {
  public:
   explicit Ears(std::vector<Eigen::Vector3d> places) : places_(std::move(places)), powers_(places_.size()) {

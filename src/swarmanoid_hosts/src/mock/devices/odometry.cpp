@@ -1,4 +1,4 @@
-// The odometry of any robot, which agrees with where it really is until it is put elsewhere.
+// The odometry of any robot, which is exact until the robot is placed elsewhere.
 #include "swarmanoid_interface/devices/odometry.hpp"
 
 #include "../rolling.hpp"

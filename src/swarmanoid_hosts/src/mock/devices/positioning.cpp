@@ -1,4 +1,4 @@
-// The position of any robot, in a world whose origin is where it started.
+// The position of any robot, in a world whose origin is the robot's start.
 #include "swarmanoid_interface/devices/positioning.hpp"
 
 #include "../mock_device.hpp"

@@ -1,4 +1,4 @@
-// The infrared sensors of any robot feel the walls of the world, from a ring that the world's values describe.
+// The infrared sensors of any robot sense the walls of the world, from a ring that the world's values describe.
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 #include <vector>

@@ -1,6 +1,6 @@
-// Devices that receive messages hear the beacons of the world that say something or answer, radios by the addresses of
-// their names; nobody else hears what the robot sends. Boards and antennas are at the robot's origin, a beacon's where
-// that is, and nothing is lost or hidden.
+// Devices that receive messages get those of the beacons of the world that send or answer. A beacon's radio address is
+// that of its name. Only beacons receive the robot's messages. Boards and antennas are at the origins of robot and
+// beacon, and no message is lost or blocked.
 #include <algorithm>
 #include <vector>
 
@@ -45,7 +45,7 @@ class MockSender final : public MockDevice {
   const Command& command_;
 };
 
-/// @tparam Command the device by which robots send what this one receives
+/// @tparam Command the device that sends the messages
 template <class Command, class Received>
 class MockReceivedMessages final : public MockDevice {
   using Message = typename Received::Message;

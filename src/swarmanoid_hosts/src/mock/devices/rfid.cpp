@@ -11,7 +11,7 @@ namespace {
 
 double wayTo(const Tag& tag, const MockState& state) { return (tag.at - state.pose.position.head<2>()).norm(); }
 
-/// The tags within reach by their places in the world's list, the nearest first.
+/// Returns the indices in World::tags of the tags within reach, nearest first.
 std::vector<std::size_t> tagsInReach(const MockState& state) {
   std::vector<std::size_t> reached;
   for (std::size_t i = 0; i < state.world.tags.size(); ++i) {

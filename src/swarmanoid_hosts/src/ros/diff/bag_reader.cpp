@@ -9,7 +9,7 @@
 namespace swarmanoid::diff {
 namespace {
 
-// Messages of one tick stand together in a bag, but messages with the same stamp have no defined order.
+// Messages of one tick are near each other in a bag, but messages with the same stamp have no defined order.
 constexpr std::size_t kTicksInMemory = 4;
 
 template <class Message>

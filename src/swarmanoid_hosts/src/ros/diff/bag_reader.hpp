@@ -47,7 +47,7 @@ class BagReader {
   bool has_named_state_ = false;
   StateSource source_ = StateSource::kNamedState;
   RobotDescriptions robots_;
-  std::map<TickKey, RecordedTick> waiting_;  // ticks wait until messages of later ticks have come
+  std::map<TickKey, RecordedTick> waiting_;  // ticks wait until messages of later ticks are read
   std::shared_ptr<const std::vector<std::string>> names_;
 };
 

@@ -10,7 +10,7 @@
 namespace swarmanoid::diff {
 
 /// Fields have the names of swarmanoid_msgs/NamedState.
-/// @param file of the bag @throws ConfigError if there are not as many poses, colours, ... as names
+/// @param file of the bag @throws ConfigError if the numbers of poses, colours, ... differ from that of the names
 StateFields worldFields(const swarmanoid_msgs::WorldState& state, const std::string& file);
 
 }  // namespace swarmanoid::diff

@@ -113,8 +113,8 @@ RecordedRun* runOf(const Received<swarmanoid_msgs::SensorFrame>& frame,
 
 using TickKey = std::pair<std::uint64_t, std::uint64_t>;  // run and tick
 
-/// Returns the commands of that tick that were received nearest to the readings: a robot that was started again counts
-/// its ticks anew.
+/// Returns the commands of that tick that were received nearest to the readings, since the tick numbers of a restarted
+/// robot repeat.
 std::optional<CommandFrame> commandsOf(
     const Received<swarmanoid_msgs::SensorFrame>& sensors,
     const std::multimap<TickKey, const Received<swarmanoid_msgs::CommandFrame>*>& all) {

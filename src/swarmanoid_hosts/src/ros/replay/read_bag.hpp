@@ -1,5 +1,5 @@
 /// Reads recorded controllers from a bag: the topics /<robot>/controller/start, .../sensors and .../commands, written
-/// by the simulator's recorder, or by rosbag record beside a robot's host.
+/// by the simulator's recorder, or by rosbag record with a robot's host.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace swarmanoid::replay {
 struct ParameterValue {
   std::string name;  ///< for nested ones a path: outer/inner
   std::string value;
-  SourceLocation location;  ///< where it was given; messages about the value name it
+  SourceLocation location;  ///< source of the value, for messages about it
 };
 
 /// @param robots to read; none: all robots in the bag
 /// @param parameters replace the controllers' recorded parameters of the same names, or are added to them
-/// @throws ConfigError for a bag that cannot be read, has no recorded controller, or lacks one of those asked for
+/// @throws ConfigError for a bag that cannot be read, has no recorded controller, or lacks one of the requested robots
 Recording readBag(const std::string& file, const std::vector<std::string>& robots = {},
                   const std::vector<ParameterValue>& parameters = {});
 

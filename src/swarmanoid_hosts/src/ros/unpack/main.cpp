@@ -1,4 +1,4 @@
-// Makes the record of a run of what is in its bag, for `swarmanoid rerun` and `swarmanoid run --interventions`.
+// Extracts the record of a run from its bag, for `swarmanoid rerun` and `swarmanoid run --interventions`.
 #include <CLI/CLI.hpp>
 #include <iostream>
 

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What one run has in the bag.
+/// The data of one run in the bag.
 struct Run {
   std::optional<swarmanoid_msgs::RunRecord> record;
   std::optional<swarmanoid_msgs::RunResult> result;
@@ -61,7 +61,7 @@ void openBag(rosbag::Bag& bag, const std::string& file) {
   }
 }
 
-/// Two spaces in one bag have two topics of one type.
+/// Refuses a bag of two spaces, which has two topics of one type.
 void refuseSecondTopic(rosbag::View& view, const std::string& file) {
   std::map<std::string, std::set<std::string>> topics;  // by type
   for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
@@ -103,7 +103,7 @@ Runs readMessages(const std::string& file) {
   return runs;
 }
 
-/// What is damaged shows itself anywhere, to libraries that do not know the file.
+/// Reads all runs. Damaged data may cause an error in any library; those do not know the file, so it is added here.
 Runs readRuns(const std::string& file) {
   try {
     return readMessages(file);
@@ -138,7 +138,7 @@ const Run& choose(const Runs& runs, const Choice& choice, const std::string& fil
                     "space");
 }
 
-/// @throws ConfigError if it is not written
+/// @throws ConfigError if the file cannot be written
 void write(const std::string& folder, const std::string& name, const std::string& content) {
   const fs::path path = fs::path(folder) / name;
   std::error_code ignored;
@@ -159,7 +159,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// What they were done to is known of a run that came to its end.
+/// The experiment and the seed of the interventions are known only for a run that has a result.
 void writeInterventions(const Run& run, const std::string& folder) {
   const std::string where = run.result ? " experiment=\"" + escaped(run.result->experiment) + "\" seed=\"" +
                                              std::to_string(run.result->seed) + "\""
@@ -167,7 +167,7 @@ void writeInterventions(const Run& run, const std::string& folder) {
   write(folder, "interventions.xml", "<interventions" + where + ">\n" + run.interventions + "</interventions>\n");
 }
 
-/// A bag may be of somebody else: its names lead nowhere but into the folder.
+/// Refuses names that lead out of the folder, since a bag may come from an untrusted source.
 void refuseOutside(const std::string& name, const std::string& file) {
   const fs::path path(name);
   if (name.empty() || path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()) {
@@ -183,7 +183,7 @@ std::string hashesOf(const Run& run) {
   return text;
 }
 
-/// The members that the record's reader looks at; the message has the others.
+/// Returns the members that the record's reader uses; the message has further ones.
 std::string resultOf(const swarmanoid_msgs::RunResult& result) {
   PlainTextStream text;
   text << "{\"seed\":" << result.seed << ",\"ticks\":" << result.ticks

@@ -1,4 +1,4 @@
-/// Makes the folder of a run's record (docs/reference/run_record.md) of what is in its bag.
+/// Extracts the folder of a run's record (docs/reference/run_record.md) from its bag.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 namespace swarmanoid::unpack {
 
 struct Choice {
-  std::optional<std::uint64_t> run;  ///< as resets count them; none: the last one that made a tick
-  bool only_interventions = false;   ///< which bags without a record have too
+  std::optional<std::uint64_t> run;  ///< counted by resets; none: the last one with a tick
+  bool only_interventions = false;   ///< which bags without a record contain too
 };
 
 /// Writes the files of the record.
-/// @param folder that is there, and empty @throws ConfigError if the bag cannot be read, or lacks what is asked for
+/// @param folder exists and is empty @throws ConfigError if the bag cannot be read, or lacks the requested data
 void unpack(const std::string& bag, const std::string& folder, const Choice& choice);
 
 }  // namespace swarmanoid::unpack

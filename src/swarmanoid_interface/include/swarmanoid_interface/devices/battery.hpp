@@ -1,25 +1,25 @@
-/// Sensor: the battery of any robot that runs on one, as its gauge reports it.
+/// Sensor: the gauge of the battery of any robot that has one.
 #pragma once
 
 #include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {
 
-/// Readings of the gauge. The battery keeps its voltage until it is empty; what robots draw, and how they are charged,
-/// is in docs/reference/battery.md.
+/// Readings of the gauge. The voltage is constant until the battery is empty. docs/reference/battery.md describes the
+/// power that robots draw and how they are charged.
 struct Battery {
   static constexpr const char* kType = "battery";
 
-  float charge = 0.0F;        ///< that is left [J]
-  float capacity = 0.0F;      ///< the most that it holds [J]
-  float voltage = 0.0F;       ///< of the battery [V]
-  float power = 0.0F;         ///< that the robot draws, less that at which it is charged [W]
-  bool is_charging = false;   ///< something charges it, also if it is full
-  bool on_capacitor = false;  ///< it is out or has nothing left: a super-capacitor keeps the robot alive, wheels off
+  float charge = 0.0F;        ///< remaining [J]
+  float capacity = 0.0F;      ///< charge of the full battery [J]
+  float voltage = 0.0F;       ///< [V]
+  float power = 0.0F;         ///< drawn by the robot, minus the charging power [W]
+  bool is_charging = false;   ///< a charger is connected, even if the battery is full
+  bool on_capacitor = false;  ///< battery removed or empty: a super-capacitor powers the robot, with its wheels off
 
-  /// Part of the capacity that is left: 0 to 1.
+  /// Remaining part of the capacity: 0 to 1.
   float fraction() const { return capacity > 0.0F ? charge / capacity : 0.0F; }
-  /// What flows into the battery, as sensor_msgs/BatteryState counts it [A]; negative while it is used.
+  /// Current into the battery, as in sensor_msgs/BatteryState [A]; negative while it discharges.
   float current() const { return voltage > 0.0F ? -power / voltage : 0.0F; }
 };
 

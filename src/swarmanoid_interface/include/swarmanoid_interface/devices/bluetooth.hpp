@@ -1,5 +1,5 @@
-/// Actuator and sensor: Bluetooth, with which robots that are near each other exchange short messages, whatever stands
-/// between them (thesis 1: "short range inter-robot communication"). Any robot may have it.
+/// Actuator and sensor: Bluetooth, for short messages between robots near each other, through obstacles too (thesis 1:
+/// "short range inter-robot communication"). Any robot may have it.
 #pragma once
 
 #include "swarmanoid_interface/devices/radio.hpp"
@@ -20,12 +20,12 @@ using BluetoothMessage = RadioMessage<Bluetooth::kBytes>;
 
 struct BluetoothReceived : ReceivedMessages<BluetoothMessage> {
   static constexpr const char* kType = "bluetooth_received";
-  static constexpr std::size_t kMostMessages = 7;  ///< as many as a piconet has active members beside its master
-  static constexpr double kUsualRange = 10.0;      ///< between antennas, of class 2, beyond which it hears nothing [m]
+  static constexpr std::size_t kMostMessages = 7;  ///< number of active slaves in a piconet
+  static constexpr double kUsualRange = 10.0;      ///< maximum range between antennas, of class 2 [m]
   static constexpr bool kNeedsSight = false;
   static constexpr bool kSharesChannel = true;
-  /// Of the 240 bits of such a packet each is wrong with 0.001 where signals are as weak as a receiver takes them (the
-  /// same, part A, 4.1): 1 - 0.999^240.
+  /// Each of the 240 bits of such a packet is wrong with a probability of 0.001 at the receiver's sensitivity level
+  /// (the same specification, part A, 4.1): 1 - 0.999^240.
   static constexpr double kUsualLossAtRange = 0.2;
 };
 REGISTER_DEVICE_OF_SUITE(BluetoothReceived, kSensor,

@@ -1,8 +1,8 @@
 /// Sensors: cameras that report blobs of colour instead of images, as the robots' own image filter does (thesis 3.3).
 ///
-/// Robots' cameras are those of thesis 1.3: a footbot's and an eyebot's omnidirectional one, an eyebot's that looks
-/// down, and those of all three with a lens. Angles of view and ranges are usual ones of small cameras of 640 x 480
-/// pixels.
+/// The cameras are those of thesis 1.3: omnidirectional cameras of footbots and eyebots, the downward camera of
+/// eyebots, and cameras with a lens of all three robots. Angles of view and ranges are typical of small cameras of 640
+/// x 480 pixels.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,20 +16,20 @@
 
 namespace swarmanoid {
 
-/// One blob: a lit LED or lamp, a prey, a laser spot or a coloured floor patch. Directions are those of the way from
-/// the camera, in an upright frame whose x axis points where the robot's does, wherever the camera looks.
+/// One blob: a lit LED or lamp, a prey, a laser spot or a coloured floor patch. Directions are from the camera to the
+/// blob, in an upright frame with the heading of the robot's x axis, wherever the camera looks.
 struct ColorBlob {
   Color color;
   float bearing = 0.0F;    ///< direction [rad], counter-clockwise from ahead, in (-pi, pi]
-  float distance = 0.0F;   ///< horizontal distance from the camera's vertical axis [m]; NaN: the camera cannot know it
+  float distance = 0.0F;   ///< horizontal distance from the camera's vertical axis [m]; NaN: not measured
   float elevation = 0.0F;  ///< direction over the camera's horizon [rad], negative below, from -pi/2 to pi/2
-  float size = 0.0F;       ///< the angle that the thing takes in the picture, from edge to edge [rad]
+  float size = 0.0F;       ///< angle that the source takes in the picture, from edge to edge [rad]
 
-  /// What takes as much of a picture as a ball or disc does that is seen in full: 2 atan(radius / way). @param radius
-  /// [m] @param way from the camera to the middle [m] @return [rad]
+  /// Angular size of a ball or disc that is fully visible: 2 atan(radius / way). @param radius [m] @param way distance
+  /// from the camera to the centre [m] @return [rad]
   static float sizeOf(float radius, float way) { return 2.0F * arctangent(radius, way); }
 
-  /// LEDs, lamps and laser spots are as large as this, half across [m].
+  /// Radius of LEDs, lamps and laser spots [m].
   static constexpr double kPointRadius = 0.005;
 };
 
@@ -45,14 +45,14 @@ void fields(Visitor& visit, ColorBlob& blob) {
   visit(blob.size, {"size", "rad", "angle that the thing takes in the picture", {0.0, kInfinity}});
 }
 
-/// The reading of a colour-blob camera in this tick. A camera that sees all around by a mirror, or looks down, knows
-/// distances; one that looks ahead does not: it says NaN, as REP-117 does where a measurement is not to be had. LEDs on
-/// the far side of their own robot are hidden. Blobs come in the order of their sources: entities by number (the LEDs
-/// of one entity by LED number), then laser spots, then floor patches. If more blobs are in sight than the camera
-/// reports, the nearest are reported, in the same order. The span is valid until the next tick.
+/// The reading of a colour-blob camera in this tick. Omnidirectional and downward cameras measure distances; cameras
+/// that look ahead report NaN instead, which is how REP-117 marks a missing measurement. LEDs on the far side of their
+/// own robot are hidden. Blobs come in the order of their sources: entities by number (the LEDs of one entity by LED
+/// number), then laser spots, then floor patches. If more blobs are in sight than the camera reports, the nearest are
+/// reported, in the same order. The span is valid until the next tick.
 struct ColorBlobs {
   Span<const ColorBlob> blobs;
-  bool overflowed = false;  ///< more was in sight than is reported; the farthest is left out (and an event reports it)
+  bool overflowed = false;  ///< more blobs in sight than reported; the farthest are left out (and an event reports it)
 };
 
 /// Describes the fields of all cameras.
@@ -66,7 +66,7 @@ void fields(Visitor& visit, ColorBlobs& camera) {
 struct FootbotCamera : ColorBlobs {
   static constexpr const char* kType = "footbot_camera";
   static constexpr const char* kRobot = "footbot";
-  static constexpr double kUsualRange = 2.0;  ///< horizontal distance beyond which it sees nothing [m]
+  static constexpr double kUsualRange = 2.0;  ///< maximum horizontal distance [m]
   static constexpr double kMount = 0.28;      ///< height of the camera in the robot's frame [m]
 };
 
@@ -76,32 +76,32 @@ REGISTER_DEVICE_OF_SUITE(FootbotCamera, kSensor, "An omnidirectional camera that
 struct EyebotCamera : ColorBlobs {
   static constexpr const char* kType = "eyebot_camera";
   static constexpr const char* kRobot = "eyebot";
-  static constexpr double kUsualRange = 10.0;           ///< horizontal distance beyond which it sees nothing [m]
+  static constexpr double kUsualRange = 10.0;           ///< maximum horizontal distance [m]
   static constexpr double kUsualAperture = M_PI / 4.0;  ///< half the opening angle of its cone [rad]
   static constexpr double kMount = 0.15;                ///< height of the camera in the robot's frame [m]
 };
 
 REGISTER_DEVICE_OF_SUITE(EyebotCamera, kSensor, "A camera that looks down into a cone and reports blobs of colour.")
 
-/// The eyebot's omnidirectional camera, on its mast: it sees all around, also other eyebots, at any height.
+/// The eyebot's omnidirectional camera, on its mast: it sees in all directions and at any height, other eyebots too.
 struct EyebotOmnidirectionalCamera : ColorBlobs {
   static constexpr const char* kType = "eyebot_omnidirectional_camera";
   static constexpr const char* kRobot = "eyebot";
-  static constexpr double kUsualRange = 10.0;  ///< horizontal distance beyond which it sees nothing [m]
+  static constexpr double kUsualRange = 10.0;  ///< maximum horizontal distance [m]
   static constexpr double kMount = 0.42;       ///< height of the camera in the robot's frame [m]
 };
 
 REGISTER_DEVICE_OF_SUITE(EyebotOmnidirectionalCamera, kSensor,
                          "A camera that sees all around at any height and reports blobs of colour.")
 
-/// What a camera with a lens shows: a pyramid around the axis that it looks along.
+/// Field of view of a camera with a lens: a pyramid around its optical axis.
 class Picture {
  public:
   static constexpr double kUsualWidth = M_PI / 3.0;   ///< [rad]
   static constexpr double kUsualHeight = M_PI / 4.0;  ///< [rad]
 
-  /// @param width from the left edge to the right one [rad], less than pi @param height from the lower edge to the
-  /// upper one, likewise
+  /// @param width angle from the left edge to the right one [rad], less than pi @param height angle from the lower edge
+  /// to the upper one [rad], less than pi
   explicit Picture(double width = kUsualWidth, double height = kUsualHeight)
       : across_(std::tan(0.5 * width)), up_(std::tan(0.5 * height)) {}
 
@@ -109,7 +109,7 @@ class Picture {
   bool shows(const Eigen::Vector3d& seen) const {
     return seen.x() > 0.0 && std::abs(seen.y()) <= across_ * seen.x() && std::abs(seen.z()) <= up_ * seen.x();
   }
-  /// How far the edges are from the middle, at a distance of 1.
+  /// Distances of the edges from the middle of the picture, at a distance of 1.
   double across() const { return across_; }
   double up() const { return up_; }
 
@@ -123,18 +123,18 @@ class Picture {
 struct EyebotPanTiltCamera : ColorBlobs {
   static constexpr const char* kType = "eyebot_pan_tilt_camera";
   static constexpr const char* kRobot = "eyebot";
-  static constexpr double kUsualRange = 10.0;                       ///< likewise [m]
+  static constexpr double kUsualRange = 10.0;                       ///< maximum horizontal distance [m]
   static constexpr std::array<double, 3> kMount{0.085, 0.0, 0.17};  ///< in the robot's frame [m]
 };
 
 REGISTER_DEVICE_OF_SUITE(EyebotPanTiltCamera, kSensor,
                          "A camera that is panned and tilted and reports blobs of colour.")
 
-/// The footbot's camera that looks ahead, for what is near its gripper. Its blobs have no distance.
+/// The footbot's camera that looks ahead, for objects near its gripper. Its blobs have no distance.
 struct FootbotFrontCamera : ColorBlobs {
   static constexpr const char* kType = "footbot_front_camera";
   static constexpr const char* kRobot = "footbot";
-  static constexpr double kUsualRange = 2.0;                       ///< likewise [m]
+  static constexpr double kUsualRange = 2.0;                       ///< maximum horizontal distance [m]
   static constexpr std::array<double, 3> kMount{0.08, 0.0, 0.09};  ///< in the robot's frame [m]
 };
 
@@ -144,7 +144,7 @@ REGISTER_DEVICE_OF_SUITE(FootbotFrontCamera, kSensor, "A camera that looks ahead
 struct HandbotCamera : ColorBlobs {
   static constexpr const char* kType = "handbot_camera";
   static constexpr const char* kRobot = "handbot";
-  static constexpr double kUsualRange = 3.0;                        ///< likewise [m]
+  static constexpr double kUsualRange = 3.0;                        ///< maximum horizontal distance [m]
   static constexpr std::array<double, 3> kMount{0.105, 0.0, 0.16};  ///< in the robot's frame [m]
 };
 

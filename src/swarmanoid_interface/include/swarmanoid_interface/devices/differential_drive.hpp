@@ -1,5 +1,5 @@
-/// Actuator: the two wheels of any robot with a differential drive, commanded by speed and turn rate. What that means
-/// for its wheels is known where they are: to the simulator from the robot's description, to a robot from its driver.
+/// Actuator: the two wheels of any robot with a differential drive, commanded by speed and turn rate. The simulator
+/// converts them to wheel speeds by the robot's description; on a robot, its driver does.
 #pragma once
 
 #include "swarmanoid_interface/device_type.hpp"

@@ -1,4 +1,4 @@
-/// Sensor: the infrared distance sensors of any robot, as many as it has, wherever they look.
+/// Sensor: the infrared distance sensors of any robot, in any number and directions.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@ namespace swarmanoid {
 
 /// The reading of one sensor.
 struct DistanceReading {
-  /// [m]; by REP-117 infinity with nothing in range, -infinity with something too close, NaN before the first tick
+  /// [m]; by REP-117 infinity with nothing in range, -infinity with an object too close, NaN before the first tick
   float distance = std::numeric_limits<float>::quiet_NaN();
-  float angle = 0.0F;  ///< where the sensor looks in the robot's frame [rad], counter-clockwise from ahead, (-pi, pi]
-  float elevation = 0.0F;  ///< likewise: upwards from level [rad], in [-pi/2, pi/2]
+  float angle = 0.0F;  ///< direction of the sensor in the robot's frame [rad], counter-clockwise from ahead, (-pi, pi]
+  float elevation = 0.0F;  ///< direction of the sensor upwards from level [rad], in [-pi/2, pi/2]
 };
 
 /// Readings in the order of the sensors: that of the links distance_0, distance_1, ... of the robot's description.
@@ -25,31 +25,31 @@ struct DistanceReading {
 struct Distance {
   static constexpr const char* kType = "distances";
   static constexpr std::size_t kMostSensors = 64;
-  /// That can be measured, unless the experiment says otherwise: as a Sharp GP2Y0A21YK0F does (data sheet
-  /// E4-A00201EN: 10 to 80 cm) [m].
+  /// Default measuring range, that of a Sharp GP2Y0A21YK0F (data sheet E4-A00201EN: 10 to 80 cm) [m].
   static constexpr Range kUsualRange{0.1, 0.8};
-  static constexpr double kFarthest = 20.0;  ///< that an experiment may ask for [m]
+  static constexpr double kFarthest = 20.0;  ///< largest range that an experiment may set [m]
 
   Span<const DistanceReading> sensors;
-  float range_min = static_cast<float>(kUsualRange.minimum);  ///< of all sensors: what is nearer is too close [m]
-  float range_max = static_cast<float>(kUsualRange.maximum);  ///< likewise: what is farther is out of range [m]
+  float range_min = static_cast<float>(kUsualRange.minimum);  ///< of all sensors: nearer objects are too close [m]
+  float range_max = static_cast<float>(kUsualRange.maximum);  ///< of all sensors: farther objects are out of range [m]
 
-  /// The law by which all distance sensors of the suite respond (REP-117).
-  /// @param distance of what is ahead, infinity if nothing is [m] @param range that can be measured [m]
+  /// The response of all distance sensors of the suite (REP-117).
+  /// @param distance to the nearest obstacle ahead, infinity if there is none [m] @param range measuring range [m]
   static float reading(double distance, Range range) {
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
     return distance > range.maximum ? kInfinite : distance < range.minimum ? -kInfinite : static_cast<float>(distance);
   }
 
-  /// The same of a sensor that measures by triangulation and does not know that something is too close. Its voltage is
-  /// proportional to 1 / distance within its range, and falls below the minimum, where the light spot leaves the
-  /// detector: in proportion to the distance, by assumption. So it reads the larger distance of the same voltage.
+  /// The response of a sensor that measures by triangulation and does not detect objects that are too close. Its
+  /// voltage is proportional to 1 / distance within its range. Below the minimum, where the light spot leaves the
+  /// detector, the voltage falls, by assumption in proportion to the distance. So the sensor reads the larger distance
+  /// that has the same voltage.
   static float foldedReading(double distance, Range range) {
     const bool is_too_close = distance < range.minimum;
     const double seen = is_too_close ? range.minimum * range.minimum / std::max(distance, kTouching) : distance;
     return reading(seen, range);
   }
-  static constexpr double kTouching = 1e-6;  ///< nearer counts as this [m]
+  static constexpr double kTouching = 1e-6;  ///< smaller distances count as this [m]
 };
 
 /// Distances before the first tick: NaN (REP-117).
@@ -60,7 +60,7 @@ std::array<float, count> unmeasuredDistances() {
   return distances;
 }
 
-/// Describes the fields of a device that say what its sensors can measure.
+/// Describes the fields of a device that hold its measuring range.
 template <class Visitor, class Device>
 void rangeFields(Visitor& visit, Device& device) {
   visit(device.range_min, {"range_min", "m", "what is nearer is too close", {0.0, Distance::kFarthest}});

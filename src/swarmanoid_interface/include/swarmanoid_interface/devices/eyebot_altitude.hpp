@@ -1,4 +1,4 @@
-/// Sensor: how far an eyebot is above what lies straight below it.
+/// Sensor: the distance from an eyebot to the nearest surface straight below it.
 #pragma once
 
 #include <limits>
@@ -13,15 +13,15 @@ struct EyebotAltitude {
   static constexpr const char* kType = "eyebot_altitude";
   static constexpr const char* kRobot = "eyebot";
 
-  static constexpr double kNearest = 0.02;    ///< nearer things are too close [m]
+  static constexpr double kNearest = 0.02;    ///< nearer objects are too close [m]
   static constexpr double kUsualRange = 6.0;  ///< [m]
-  static constexpr double kFarthest = 100.0;  ///< that an experiment may ask for [m]
+  static constexpr double kFarthest = 100.0;  ///< largest range that an experiment may set [m]
 
-  /// [m]; by REP-117 infinity with nothing in range, -infinity with something too close, as on the ground, NaN before
+  /// [m]; by REP-117 infinity with nothing in range, -infinity with an object too close, as on the ground, NaN before
   /// the first tick
   float distance = std::numeric_limits<float>::quiet_NaN();
-  float range_min = static_cast<float>(kNearest);     ///< what is nearer is too close [m]
-  float range_max = static_cast<float>(kUsualRange);  ///< what is farther is out of range [m]
+  float range_min = static_cast<float>(kNearest);     ///< nearer objects are too close [m]
+  float range_max = static_cast<float>(kUsualRange);  ///< farther objects are out of range [m]
 };
 
 template <class Visitor>

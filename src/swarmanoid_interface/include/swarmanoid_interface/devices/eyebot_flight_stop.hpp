@@ -1,5 +1,5 @@
-/// The safe stop that all devices share which fly an eyebot: it hovers for a while, then comes down; one that hangs by
-/// its magnet stays where it is.
+/// The safe stop of all devices that fly an eyebot: it hovers for a while, then descends; an eyebot that hangs by its
+/// magnet stays where it is.
 #pragma once
 
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"

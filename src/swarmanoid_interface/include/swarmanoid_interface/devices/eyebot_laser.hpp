@@ -14,7 +14,7 @@ struct EyebotLaser {
   static constexpr const char* kRobot = "eyebot";
 
   static constexpr double kMaxTilt = 0.8;                          ///< either way [rad]
-  static constexpr std::array<double, 3> kMount{0.05, 0.0, 0.15};  ///< where the beam begins, in the robot's frame [m]
+  static constexpr std::array<double, 3> kMount{0.05, 0.0, 0.15};  ///< origin of the beam in the robot's frame [m]
 
   bool on = false;
   double pan = 0.0;   ///< in the robot's frame [rad], counter-clockwise from ahead

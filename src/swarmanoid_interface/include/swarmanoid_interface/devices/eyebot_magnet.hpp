@@ -6,8 +6,8 @@
 
 namespace swarmanoid {
 
-/// On: the magnet holds what it touches, if that is ferromagnetic. Off: it releases it, and the eyebot flies on from
-/// there.
+/// On: the magnet holds the surface it touches, if that is ferromagnetic. Off: it releases the surface, and the eyebot
+/// flies on from there.
 struct EyebotMagnet {
   static constexpr const char* kType = "eyebot_magnet";
   static constexpr const char* kRobot = "eyebot";

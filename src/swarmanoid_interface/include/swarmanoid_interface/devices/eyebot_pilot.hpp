@@ -1,5 +1,5 @@
-/// The law by which an eyebot flies to places: from its estimated pose to the velocity that it flies. The simulator's
-/// eyebots and mock ones have the same.
+/// The position controller of an eyebot: computes its velocity from its estimated pose. Simulated and mock eyebots
+/// share it.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,27 +11,27 @@
 
 namespace swarmanoid {
 
-/// Frames: O is that of the take-off, H the robot's own, upright, with its heading.
-/// Phase: `actuate`; `moved` and `fly` by turns, once a tick each. Not thread-safe: one for each robot.
+/// Frames: O is the frame of the take-off; H is the robot's own frame, upright, with its heading.
+/// Phase: `actuate`; `moved` and `fly` alternate, once a tick each. Not thread-safe: one object per robot.
 class EyebotPilot {
  public:
   struct Limits {
     double speed = EyebotPosition::kUsualFastest;              ///< [m/s]
     double acceleration = EyebotPosition::kUsualAcceleration;  ///< [m/s2]
     double yaw_rate = EyebotPosition::kUsualFastestTurn;       ///< [rad/s]
-    double sinking = EyebotPosition::kUsualSinking;            ///< when it lands [m/s]
+    double sinking = EyebotPosition::kUsualSinking;            ///< descent speed of a landing [m/s]
   };
-  /// In H as it is when the tick begins.
+  /// Commanded velocity, in H at the beginning of the tick.
   struct Flight {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< [m/s]
     double yaw_rate = 0.0;                             ///< [rad/s]
   };
 
-  /// How the robot has moved in the last tick. @param way in H as it is now [m] @param turn [rad] @param dt [s]
+  /// Adds the motion of the last tick. @param way in H as it is now [m] @param turn [rad] @param dt [s]
   void moved(const Eigen::Vector3d& way, double turn, double dt) {
     yaw_ = wrapAngle(yaw_ + turn);
     position_ += turned(way, yaw_);
-    constexpr double kSinks = 0.5;  // of the commanded sinking speed
+    constexpr double kSinks = 0.5;  // fraction of the commanded descent speed
     const bool is_blocked = wanted_sinking_ > 0.0 && -way.z() < kSinks * wanted_sinking_ * dt;
     blocked_ = is_blocked ? blocked_ + dt : 0.0;
     constexpr double kTouchdownTime = 0.5;  // without sinking [s]
@@ -39,7 +39,7 @@ class EyebotPilot {
     is_grounded_ = is_grounded_ || has_landed_;
   }
 
-  /// The velocity of the next tick. @param dt greater than 0 [s]
+  /// Returns the velocity for the next tick. @param dt greater than 0 [s]
   Flight fly(const EyebotPosition& command, const Limits& limits, double dt) {
     using Mode = EyebotPosition::Mode;
     if (command.mode != mode_) {
@@ -60,7 +60,7 @@ class EyebotPilot {
     wanted.z() -= wanted_sinking_;
     const Eigen::Vector3d change = wanted - velocity_;
     velocity_ += change * std::min(1.0, limits.acceleration * dt / std::max(change.norm(), kTiny));
-    // a settling vertical speed is no touchdown yet
+    // while the vertical speed still settles, expect no more descent than it commands
     wanted_sinking_ = std::min(wanted_sinking_, -velocity_.z());
     Flight flight;
     flight.yaw_rate = std::clamp(wrapTurn(yaw - yaw_) / std::max(kResponse, dt), -limits.yaw_rate, limits.yaw_rate);
@@ -68,18 +68,18 @@ class EyebotPilot {
     return flight;
   }
 
-  /// Somebody else flies the robot: this one is at rest where it is, as if it hovered.
+  /// Resets to hovering at the estimated position, while another device flies the robot.
   void rest() {
     velocity_.setZero();
     begin(EyebotPosition::Mode::kHover, {});
   }
 
-  const Eigen::Vector3d& position() const { return position_; }  ///< in O, estimated [m]
-  double yaw() const { return yaw_; }                            ///< likewise [rad]
+  const Eigen::Vector3d& position() const { return position_; }  ///< estimated, in O [m]
+  double yaw() const { return yaw_; }                            ///< estimated, in O [rad]
   bool hasLanded() const { return has_landed_; }
 
  private:
-  static constexpr double kResponse = 0.5;  // [s], in which most of a small way is flown
+  static constexpr double kResponse = 0.5;  // time constant of a short approach [s]
   static constexpr double kTiny = 1e-12;
 
   static Eigen::Vector3d turned(const Eigen::Vector3d& vector, double angle) {
@@ -88,7 +88,8 @@ class EyebotPilot {
     return {cosine * vector.x() - sine * vector.y(), sine * vector.x() + cosine * vector.y(), vector.z()};
   }
 
-  /// So fast that it can brake in time: as the square root of the way, and near the end in proportion to it.
+  /// Approach velocity from which the robot can brake in time: its norm is proportional to the square root of the
+  /// distance, and near the end to the distance.
   static Eigen::Vector3d approach(const Eigen::Vector3d& way, const Limits& limits, double dt) {
     const double response = std::max(kResponse, dt);
     const double length = way.norm();
@@ -109,20 +110,20 @@ class EyebotPilot {
     has_landed_ = false;
     blocked_ = 0.0;
     const double braking = limits.acceleration > 0.0 ? 0.5 / limits.acceleration : 0.0;
-    held_ = position_ + velocity_ * (velocity_.norm() * braking);  // where it can come to rest
+    held_ = position_ + velocity_ * (velocity_.norm() * braking);  // where it comes to rest
     held_yaw_ = yaw_;
   }
 
   EyebotPosition::Mode mode_ = EyebotPosition::Mode::kHover;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();  // in O [m]
   double yaw_ = 0.0;                                    // of H in O [rad]
-  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  // that it flies, in O [m/s]
-  Eigen::Vector3d held_ = Eigen::Vector3d::Zero();      // where it stays, in O [m]
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  // commanded, in O [m/s]
+  Eigen::Vector3d held_ = Eigen::Vector3d::Zero();      // set point while hovering, in O [m]
   double held_yaw_ = 0.0;                               // [rad]
   double wanted_sinking_ = 0.0;                         // [m/s]
-  double blocked_ = 0.0;                                // how long it has not sunk [s]
+  double blocked_ = 0.0;                                // time without the expected descent [s]
   bool has_landed_ = false;
-  bool is_grounded_ = false;  // it has come down, and since then no command but to land or to hover has come
+  bool is_grounded_ = false;  // has landed, and has only been commanded to land or hover since
 };
 
 }  // namespace swarmanoid

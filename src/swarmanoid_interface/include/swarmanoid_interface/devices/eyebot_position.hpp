@@ -1,4 +1,4 @@
-/// Actuator: the flight controller of an eyebot, whose command is a place to fly to.
+/// Actuator: the flight controller of an eyebot, commanded by target positions.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +9,9 @@
 
 namespace swarmanoid {
 
-/// The frame of places is the robot's own where it took off, upright: x ahead, y left, z up from its lower face. Where
-/// the robot is in it, is the sum of its own motion: being carried elsewhere does not count, and errors add up. The
-/// frame begins where the robot is when it is switched on, and again at each take-off after a landing.
+/// Positions are in the frame that the robot had at its take-off, upright: x ahead, y left, z up from its lower face.
+/// The robot's own position in it is integrated from its motion: carrying the robot away does not count, and errors
+/// accumulate. The frame is set where the robot is switched on, and again at each take-off after a landing.
 struct EyebotPosition {
   static constexpr const char* kType = "eyebot_position";
   static constexpr const char* kRobot = "eyebot";
@@ -19,14 +19,14 @@ struct EyebotPosition {
   static constexpr double kUsualFastest = 1.0;       ///< in any direction [m/s]
   static constexpr double kUsualAcceleration = 1.0;  ///< [m/s2]
   static constexpr double kUsualFastestTurn = 1.0;   ///< either way [rad/s]
-  static constexpr double kUsualSinking = 0.3;       ///< when it lands [m/s]
-  static constexpr double kFarthest = 1e6;           ///< of a coordinate, either way [m]
+  static constexpr double kUsualSinking = 0.3;       ///< descent speed of a landing [m/s]
+  static constexpr double kFarthest = 1e6;           ///< largest coordinate, either way [m]
 
   enum class Mode : std::uint8_t {
-    kHover,    ///< comes to rest, and stays there
+    kHover,    ///< brakes, and stays where it stops
     kTakeOff,  ///< goes straight up or down to the height position.z
-    kGoTo,     ///< flies to the position, and turns to the yaw meanwhile
-    kLand      ///< sinks straight down until it sinks no more, and stays there
+    kGoTo,     ///< flies to the position while turning to the yaw
+    kLand      ///< descends straight down until it is blocked, and stays there
   };
 
   Mode mode = Mode::kHover;
@@ -46,8 +46,8 @@ void fields(Visitor& visit, EyebotPosition& command) {
   visit(command.position, {"position", "m", "in the frame of the take-off: ahead, left, up", reach});
   visit(command.yaw, {"yaw", "rad", "in mode 2, counter-clockwise from the heading at the take-off"});
 }
-/// Commands hovering, then landing, which goes on until it is down; an eyebot whose sensors report that it hangs by its
-/// magnet stays where it is.
+/// Commands hovering, then landing, which continues until the robot is down; an eyebot whose sensors report that it
+/// hangs by its magnet stays where it is.
 inline bool stopSafely(EyebotPosition& command, const SafeStopMoment& moment) {
   const FlightStop stop = flightStop(moment);
   const bool lands = stop == FlightStop::kDescends || stop == FlightStop::kIsOver;

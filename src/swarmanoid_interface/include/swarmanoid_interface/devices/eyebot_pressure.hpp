@@ -1,4 +1,4 @@
-/// Sensor: how much higher the pressure of the air is than where an eyebot took off (thesis chapter 1: "a differential
+/// Sensor: the difference of the air pressure to that where an eyebot took off (thesis chapter 1: "a differential
 /// pressure sensor").
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace swarmanoid {
 
-/// Falls by some 12 Pa a metre. It knows the height wherever the robot is, over holes and robots too.
+/// The pressure falls by about 12 Pa per metre. It gives the height everywhere, over holes and other robots too.
 struct EyebotPressure {
   static constexpr const char* kType = "eyebot_pressure";
   static constexpr const char* kRobot = "eyebot";
 
   double difference = 0.0;  ///< to the pressure at the height of the start; less than 0 above it [Pa]
 
-  // Of the standard atmosphere at sea level (ISO 2533:1975), which is taken to be where the robot started.
+  // Standard atmosphere at sea level (ISO 2533:1975); the height of the robot's start is taken as sea level.
   static constexpr double kPressure = 101325.0;      ///< [Pa]
   static constexpr double kTemperature = 288.15;     ///< [K]
   static constexpr double kLapseRate = 0.0065;       ///< [K/m]

@@ -1,4 +1,4 @@
-/// Actuator: the flight controller of an eyebot, whose command is a velocity.
+/// Actuator: the flight controller of an eyebot, commanded by a velocity.
 #pragma once
 
 #include <Eigen/Core>

@@ -6,16 +6,16 @@
 
 namespace swarmanoid {
 
-/// One spot that distinguishes colours, where ground sensors (devices/ground.hpp) read brightness. It is the link
-/// `floor_color` of the robot's description, and looks where the link's x axis points; of a robot without that link it
-/// is kHeight above the origin, and looks straight down along the robot's z axis.
+/// One spot that distinguishes colours; ground sensors (devices/ground.hpp) read brightness only. The sensor sits at
+/// the link `floor_color` of the robot's description and looks along the link's x axis. On a robot without that link it
+/// is kHeight above the origin and looks straight down along the robot's z axis.
 struct FloorColor {
   static constexpr const char* kType = "floor_color";
   static constexpr const char* kLink = "floor_color";
   static constexpr double kHeight = 0.005;     ///< [m]
-  static constexpr double kUsualRange = 0.05;  ///< along the line of sight, beyond which there is no ground [m]
+  static constexpr double kUsualRange = 0.05;  ///< maximum distance of the ground along the line of sight [m]
 
-  Color color;  ///< black: of a black floor, or with no ground in range
+  Color color;  ///< black for a black floor, or with no ground in range
 };
 
 template <class Visitor>

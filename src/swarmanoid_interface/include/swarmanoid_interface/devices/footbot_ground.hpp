@@ -1,5 +1,5 @@
-/// Sensors: the infrared spots under a footbot, which read how much the floor under them reflects: some around the
-/// body, and some between the wheels. Their law is that of Ground::reflection.
+/// Sensors: the infrared spots under a footbot, which read the reflectance of the floor: 8 around the body, and 4
+/// between the wheels. Both respond by the law of Ground::reflection.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +11,8 @@
 
 namespace swarmanoid {
 
-/// Readings of the 8 spots around the body: 0 over black or with no ground in range, 1 over white. Spot 0 is on the
-/// left of straight ahead, by half a step; the others follow counter-clockwise every 45 degrees.
+/// Readings of the 8 spots around the body: 0 over black or with no ground in range, 1 over white. Spot 0 is half a
+/// step to the left of straight ahead; the others follow counter-clockwise every 45 degrees.
 struct FootbotGround {
   static constexpr const char* kType = "footbot_ground";
   static constexpr const char* kRobot = "footbot";
@@ -21,7 +21,7 @@ struct FootbotGround {
 
   std::array<float, kCount> value{};
 
-  /// Where spot `i` is, in the robot's frame, as seen from above [m].
+  /// Position of spot `i` in the robot's frame, seen from above [m].
   static Eigen::Vector2d place(std::size_t i) {
     constexpr double kStep = 6.283185307179586 / kCount;
     const double angle = (static_cast<double>(i) + 0.5) * kStep;
@@ -35,7 +35,7 @@ void fields(Visitor& visit, FootbotGround& ground) {
 }
 REGISTER_DEVICE_OF_SUITE(FootbotGround, kSensor, "8 infrared spots around the body, which read the floor.")
 
-/// Readings of the 4 spots between the wheels, likewise. Spot 0 is ahead on the left, the others follow
+/// Readings of the 4 spots between the wheels, on the same scale. Spot 0 is ahead on the left, the others follow
 /// counter-clockwise.
 struct FootbotBaseGround {
   static constexpr const char* kType = "footbot_base_ground";
@@ -45,7 +45,7 @@ struct FootbotBaseGround {
 
   std::array<float, kCount> value{};
 
-  /// Where spot `i` is, in the robot's frame, as seen from above [m].
+  /// Position of spot `i` in the robot's frame, seen from above [m].
   static Eigen::Vector2d place(std::size_t i) {
     const bool is_ahead = i == 0 || i == 3;
     const bool is_left = i < 2;

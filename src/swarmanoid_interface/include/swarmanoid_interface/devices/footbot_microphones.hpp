@@ -10,18 +10,18 @@
 namespace swarmanoid {
 
 /// Microphone 0 is straight ahead of the robot's axis (on its x axis), the others follow counter-clockwise every 90
-/// degrees. They hear alike in all directions.
+/// degrees. They are omnidirectional.
 struct FootbotMicrophones {
   static constexpr const char* kType = "footbot_microphones";
   static constexpr const char* kRobot = "footbot";
   static constexpr std::size_t kCount = 4;
   static constexpr double kRingRadius = 0.07;  ///< of the microphones around the robot's axis [m]
-  static constexpr double kHeight = 0.146;     ///< over the ground: on the body [m]
+  static constexpr double kHeight = 0.146;     ///< above the ground: on the body [m]
 
-  std::array<float, kCount> level{};  ///< sound pressure levels [dB re 20 uPa]; that of the background in silence
+  std::array<float, kCount> level{};  ///< sound pressure levels [dB re 20 uPa]; the background level in silence
   LoudestSound loudest;
 
-  /// Where microphone `i` is, in the robot's frame [m].
+  /// Position of microphone `i` in the robot's frame [m].
   static Eigen::Vector3d place(std::size_t i) {
     constexpr std::array<double, kCount> kX{1.0, 0.0, -1.0, 0.0};
     constexpr std::array<double, kCount> kY{0.0, 1.0, 0.0, -1.0};

@@ -25,10 +25,11 @@ struct FootbotPreferentialDirection {
     other_color = elsewhere;
   }
 
-  /// @param led of a ring of so many at equal angles, LED 0 ahead @return what it shows
+  /// Returns the colour of one LED. @param led index in the ring; LED 0 is ahead @param count LEDs of the ring, at
+  /// equal angles
   Color colorOf(std::size_t led, std::size_t count) const {
     const auto number = static_cast<double>(count);
-    // of two that are as near, the next one counter-clockwise is the middle
+    // with two equally near LEDs, the one further counter-clockwise is the middle
     const double middle = std::floor(direction / (2.0 * M_PI) * number + 0.5);
     const double beside = std::remainder(static_cast<double>(led) - middle, number);
     return std::abs(beside) <= 1.0 ? color : other_color;

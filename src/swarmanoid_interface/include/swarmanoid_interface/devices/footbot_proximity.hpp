@@ -9,9 +9,9 @@
 
 namespace swarmanoid {
 
-/// Readings of the 24 sensors: 0 with nothing in range, rising to 1 at contact, by the law of Proximity::response where
-/// an experiment chooses no other implementation.
-/// Sensor 0 looks straight ahead (the robot's x axis), the others follow counter-clockwise every 15 degrees.
+/// Readings of the 24 sensors: 0 with nothing in range, rising to 1 at contact, by the law of Proximity::response
+/// unless the experiment selects another implementation. Sensor 0 looks straight ahead (the robot's x axis), the others
+/// follow counter-clockwise every 15 degrees.
 struct FootbotProximity {
   static constexpr const char* kType = "footbot_proximity";
   static constexpr const char* kRobot = "footbot";

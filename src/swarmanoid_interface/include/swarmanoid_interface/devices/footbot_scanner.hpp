@@ -5,8 +5,8 @@
 /// ones. The layout and the two ranges, 4 to 30 cm and 20 to 150 cm, are those of the marXbot on which the footbot is
 /// based, as the control interface of ARGoS states them (foot-bot, ci_footbot_distance_scanner_sensor.h).
 ///
-/// Frames: angles are in the robot's frame, counter-clockwise seen from above, 0 is straight ahead. Distances count
-/// from the axis of the head, at the link `scanner`.
+/// Frames: angles are in the robot's frame, counter-clockwise seen from above, 0 is straight ahead. Distances are
+/// measured from the axis of the head, at the link `scanner`.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace swarmanoid {
 
-/// The command of the head. Its initial value is off: the head stands where it is, and nothing is measured.
+/// The command of the head. Its initial value is off: the head stops, and nothing is measured.
 struct FootbotScanner {
   static constexpr const char* kType = "footbot_scanner";
   static constexpr const char* kRobot = "footbot";
@@ -28,20 +28,21 @@ struct FootbotScanner {
   static constexpr double kFastest = 6.283185307179586;  ///< either way: one turn in a second [rad/s]
 
   enum class Mode : std::uint8_t {
-    kOff,    ///< stands where it is, measures nothing
-    kSpeed,  ///< turns at a speed without end
+    kOff,    ///< stops, measures nothing
+    kSpeed,  ///< turns continuously at a speed
     kAngle   ///< turns to an angle, the shorter way, and stays there
   };
 
   Mode mode = Mode::kOff;
-  double angle = 0.0;  ///< to turn to [rad]
-  double speed = 0.0;  ///< to turn with [rad/s]
+  double angle = 0.0;  ///< target in mode kAngle [rad]
+  double speed = 0.0;  ///< target in mode kSpeed [rad/s]
 
   void switchOff() { *this = {}; }
   void turnAt(double rad_per_s) { *this = {Mode::kSpeed, 0.0, rad_per_s}; }
   void holdAngle(double rad) { *this = {Mode::kAngle, rad, 0.0}; }
 
-  /// The law by which all heads of the suite turn: how far in `dt`. @param from the present angle [rad] @param dt [s]
+  /// Returns the turn of the head in `dt` [rad]; all heads of the suite follow this law. @param from the present angle
+  /// [rad] @param dt [s]
   double turnFrom(double from, double dt) const {
     const double most = kFastest * dt;
     const double wanted = mode == Mode::kSpeed ? speed * dt : mode == Mode::kAngle ? wrapTurn(angle - from) : 0.0;
@@ -58,23 +59,23 @@ void fields(Visitor& visit, FootbotScanner& scanner) {
 }
 REGISTER_DEVICE_OF_SUITE(FootbotScanner, kActuator, "The motor of the rotating distance scanner.")
 
-/// What the four beams have measured while the head turned in the last tick.
+/// Measurements of the four beams while the head turned in the last tick.
 struct FootbotScannerReadings {
   static constexpr const char* kType = "footbot_scanner_readings";
   static constexpr const char* kRobot = "footbot";
 
   static constexpr std::size_t kBeams = 4;
-  static constexpr std::size_t kSamples = 8;      ///< of each beam in a tick
-  static constexpr Range kShortRange{0.04, 0.3};  ///< that beams 0 and 2 can measure [m]
-  static constexpr Range kLongRange{0.2, 1.5};    ///< that beams 1 and 3 can measure [m]
+  static constexpr std::size_t kSamples = 8;      ///< per beam and tick
+  static constexpr Range kShortRange{0.04, 0.3};  ///< measuring range of beams 0 and 2 [m]
+  static constexpr Range kLongRange{0.2, 1.5};    ///< measuring range of beams 1 and 3 [m]
 
-  /// The samples of a tick, the oldest first, evenly over the period; the last one is of now.
+  /// The samples of a tick, oldest first, evenly spaced over the period; the last one is at the end of the tick.
   using Samples = std::array<float, kSamples>;
 
-  double angle = 0.0;   ///< of the head now, in (-pi, pi] [rad]
-  float period = 0.0F;  ///< over which the samples were taken: a tick [s]
-  Samples angles{};     ///< of beam 0 in the robot's frame, in (-pi, pi] [rad]; beam i looks i quarters further left
-  // distances [m]; by REP-117 infinity with nothing in range, -infinity with something too close, NaN while off
+  double angle = 0.0;   ///< of the head at the end of the tick, in (-pi, pi] [rad]
+  float period = 0.0F;  ///< time span of the samples: a tick [s]
+  Samples angles{};     ///< of beam 0 in the robot's frame, in (-pi, pi] [rad]; beam i is i quarter turns further left
+  // distances [m]; by REP-117 infinity with nothing in range, -infinity with an object too close, NaN while off
   Samples short_ahead = unmeasuredDistances<kSamples>();
   Samples long_left = unmeasuredDistances<kSamples>();
   Samples short_behind = unmeasuredDistances<kSamples>();
@@ -90,11 +91,11 @@ struct FootbotScannerReadings {
 
   static constexpr bool isLong(std::size_t beam) { return beam % 2 == 1; }
   static constexpr Range rangeOf(std::size_t beam) { return isLong(beam) ? kLongRange : kShortRange; }
-  /// Where a beam looks in the head's frame [rad], from 0 on.
+  /// Direction of a beam in the head's frame, in [0, 2 pi) [rad].
   static constexpr double offset(std::size_t beam) { return static_cast<double>(beam) * M_PI / 2.0; }
 
-  /// Says where the head was when a sample was taken [rad]; it turns evenly.
-  /// @param before its angle a period ago [rad] @param turn how far it has turned since [rad]
+  /// Returns the angle of the head when a sample was taken [rad]; it turns at constant speed.
+  /// @param before its angle one period ago [rad] @param turn its turn since then [rad]
   static constexpr double angleOf(std::size_t sample, double before, double turn) {
     return before + turn * static_cast<double>(sample + 1) / static_cast<double>(kSamples);
   }

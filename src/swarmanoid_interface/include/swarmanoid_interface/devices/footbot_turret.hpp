@@ -16,17 +16,17 @@ struct FootbotTurret {
   static constexpr const char* kType = "footbot_turret";
   static constexpr const char* kRobot = "footbot";
 
-  static constexpr double kFastest = 3.0;  ///< against the chassis, either way [rad/s]
+  static constexpr double kFastest = 3.0;  ///< relative to the chassis, either way [rad/s]
 
   enum class Mode : std::uint8_t {
     kAngle,   ///< turns to an angle, the shorter way, and holds it
-    kSpeed,   ///< turns at a speed without end
+    kSpeed,   ///< turns continuously at a speed
     kPassive  ///< the motor is off: forces on the held object turn the turret
   };
 
   Mode mode = Mode::kAngle;
-  double angle = 0.0;  ///< to turn to [rad]
-  double speed = 0.0;  ///< to turn with [rad/s]
+  double angle = 0.0;  ///< target in mode kAngle [rad]
+  double speed = 0.0;  ///< target in mode kSpeed [rad/s]
 
   void holdAngle(double rad) { *this = {Mode::kAngle, rad, 0.0}; }
   void turnAt(double rad_per_s) { *this = {Mode::kSpeed, 0.0, rad_per_s}; }

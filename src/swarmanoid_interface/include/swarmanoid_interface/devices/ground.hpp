@@ -1,4 +1,4 @@
-/// Sensor: infrared spots under any robot, as many as it has. Each reads how much the floor under it reflects.
+/// Sensor: infrared spots under any robot, as many as it has. Each reads the reflectance of the floor under it.
 #pragma once
 
 #include "swarmanoid_interface/color.hpp"
@@ -7,11 +7,11 @@
 
 namespace swarmanoid {
 
-/// The reading of one spot, and where the spot is.
+/// The reading and the position of one spot.
 struct GroundSpot {
   float value = 0.0F;  ///< 0 over black or with no ground in range, 1 over white
-  float x = 0.0F;      ///< in the robot's frame, ahead [m]
-  float y = 0.0F;      ///< likewise, to the left [m]
+  float x = 0.0F;      ///< position in the robot's frame, ahead [m]
+  float y = 0.0F;      ///< position in the robot's frame, to the left [m]
 };
 
 template <class Visitor>
@@ -22,15 +22,15 @@ void fields(Visitor& visit, GroundSpot& spot) {
 }
 
 /// Readings in the order of the spots: that of the links ground_0, ground_1, ... of the robot's description. A spot
-/// looks where its link's x axis points, so down. The span is valid until the next tick.
+/// looks along its link's x axis, which points down. The span is valid until the next tick.
 struct Ground {
   static constexpr const char* kType = "ground";
   static constexpr std::size_t kMostSpots = 64;
-  static constexpr double kUsualRange = 0.05;  ///< along the line of sight, beyond which there is no ground [m]
+  static constexpr double kUsualRange = 0.05;  ///< maximum distance of the ground along the line of sight [m]
 
   Span<const GroundSpot> sensors;
 
-  /// The law by which all ground sensors of the suite respond. @param color of the floor where the spot looks
+  /// The response of all ground sensors of the suite. @param color of the floor at the spot
   static constexpr float reflection(Color color) { return static_cast<float>(color.brightness()); }
 };
 

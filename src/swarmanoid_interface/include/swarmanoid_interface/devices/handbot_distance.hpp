@@ -16,12 +16,12 @@ struct HandbotDistance {
   static constexpr const char* kRobot = "handbot";
   static constexpr std::size_t kCount = 12;
   static constexpr double kRingRadius = 0.145;  ///< of the sensors around the robot's axis [m]
-  /// As a Sharp GP2Y0A41SK0F measures (data sheet OP13008EN: 4 to 30 cm) [m].
+  /// Measuring range of a Sharp GP2Y0A41SK0F (data sheet OP13008EN: 4 to 30 cm) [m].
   static constexpr Range kUsualRange{0.04, 0.3};
 
   std::array<float, kCount> distance = unmeasuredDistances<kCount>();
-  float range_min = static_cast<float>(kUsualRange.minimum);  ///< what is nearer is too close [m]
-  float range_max = static_cast<float>(kUsualRange.maximum);  ///< what is farther is out of range [m]
+  float range_min = static_cast<float>(kUsualRange.minimum);  ///< nearer objects are too close [m]
+  float range_max = static_cast<float>(kUsualRange.maximum);  ///< farther objects are out of range [m]
 
   /// Direction of sensor `i` in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi].
   static constexpr double angle(std::size_t i) { return ringAngle(i, kCount); }

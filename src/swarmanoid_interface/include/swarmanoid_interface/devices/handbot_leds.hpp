@@ -1,5 +1,5 @@
-/// Actuator: the ring of coloured LEDs of a handbot, around its rope launcher. As those of footbots (leds.hpp); the
-/// thesis says nothing of a handbot's LEDs.
+/// Actuator: the ring of coloured LEDs of a handbot, around its rope launcher. It is modelled on that of footbots
+/// (leds.hpp), since the thesis does not mention LEDs of a handbot.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-/// Sensor: the infrared proximity sensors in a handbot's palms, which look where the hands do (thesis 1: "precise
-/// gripping along with obstacle avoidance will be done thanks to several proximity sensors").
+/// Sensor: the infrared proximity sensors in a handbot's palms, which look along the hands (thesis 1: "precise gripping
+/// along with obstacle avoidance will be done thanks to several proximity sensors").
 #pragma once
 
 #include "swarmanoid_interface/devices/proximity.hpp"

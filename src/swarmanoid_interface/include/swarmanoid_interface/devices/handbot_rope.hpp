@@ -7,8 +7,8 @@
 namespace swarmanoid {
 
 /// Shot: the rope flies up, and attaches if it reaches a ferromagnetic surface within its length. If it reaches none,
-/// is torn off, or its anchor is removed, it comes back, and is shot again only after `shot` was false. Not shot: the
-/// magnet releases its hold and the rope is back in its launcher.
+/// is torn off, or its anchor is removed, it returns to the launcher, and is shot again only after `shot` was false.
+/// Not shot: the magnet releases its hold and the rope is back in its launcher.
 struct HandbotRope {
   static constexpr const char* kType = "handbot_rope";
   static constexpr const char* kRobot = "handbot";
@@ -17,7 +17,7 @@ struct HandbotRope {
   static constexpr double kUsualFastest = 0.2;  ///< of winding, in and out [m/s]
 
   bool shot = false;
-  double winding_speed = 0.0;  ///< [m/s]; positive shortens the rope, as far as the motor is strong enough
+  double winding_speed = 0.0;  ///< [m/s]; positive shortens the rope, if the motor is strong enough
 };
 
 template <class Visitor>

@@ -9,16 +9,16 @@
 
 namespace swarmanoid {
 
-/// Of each cup the share of the vacuum that its pump reaches in a cup that lies on a surface all round: 0 while the
-/// suction is off (HandbotHands), or nothing is there. Cups are numbered from the left of each hand, as the links
-/// left_cup_0, left_cup_1, ... of the robot's description; those that it does not have read 0.
+/// Vacuum in each cup, as a fraction of the vacuum in a cup whose whole lip lies on a surface; 0 while the suction is
+/// off (HandbotHands) or with no surface there. Cups are numbered from the left of each hand, as the links left_cup_0,
+/// left_cup_1, ... of the robot's description; cups that the robot does not have read 0.
 struct HandbotVacuum {
   static constexpr const char* kType = "handbot_vacuum";
   static constexpr const char* kRobot = "handbot";
-  static constexpr std::size_t kMostCups = 4;   ///< of a hand
+  static constexpr std::size_t kMostCups = 4;   ///< per hand
   static constexpr double kCupRadius = 0.011;   ///< of a cup's lip [m]
-  static constexpr double kReach = 0.01;        ///< before and behind the lip: what is there closes the cup [m]
-  static constexpr std::size_t kLipPoints = 8;  ///< of the lip, evenly around, that are looked at
+  static constexpr double kReach = 0.01;        ///< a surface this close to the lip, on either side, closes the cup [m]
+  static constexpr std::size_t kLipPoints = 8;  ///< points of the lip that are checked, evenly spaced
 
   std::array<float, kMostCups> left{};
   std::array<float, kMostCups> right{};

@@ -1,4 +1,4 @@
-/// Actuator and sensor: what any robot holds on to other entities with, as many as it has: a gripper, suction, magnets,
+/// Actuator and sensor: the holders of any robot, the parts that hold other entities: a gripper, suction, magnets,
 /// ropes on winches. They are in the order of the robot's description.
 #pragma once
 
@@ -10,17 +10,18 @@
 
 namespace swarmanoid {
 
-/// Commands beyond the holders that the robot has mean nothing.
+/// Commands beyond the number of holders of the robot are ignored.
 struct Holders {
   static constexpr const char* kType = "holders";
   static constexpr std::size_t kMost = 8;
   static constexpr double kUsualFastest = 0.2;  ///< of winding, in and out [m/s]
 
-  /// Holds: takes hold of what it reaches, and keeps it; a rope is shot for that. Holds not: lets go. What was torn
-  /// off, or a rope that met nothing to hold on to, holds again only after it was let go.
+  /// While `holds` is true the holder grips an object within its reach and keeps it; a rope is shot. When it is false
+  /// the holder releases the object. A holder that was torn off, or a rope that reached no surface to attach to, grips
+  /// again only after `holds` was false.
   struct Holder {
     bool holds = false;
-    double winding_speed = 0.0;  ///< of a rope [m/s]; positive shortens it, as far as the motor is strong enough
+    double winding_speed = 0.0;  ///< of a rope [m/s]; positive shortens it, if the motor is strong enough
   };
 
   std::array<Holder, kMost> holders{};
@@ -36,7 +37,7 @@ template <class Visitor>
 void fields(Visitor& visit, Holders& holders) {
   visit(holders.holders, {"holders"});
 }
-/// What is held stays held, so that nobody falls and nothing is dropped; winches stop.
+/// Holders keep their grip, so that no robot falls and no object is dropped; winches stop.
 inline bool stopSafely(Holders& holders, const SafeStopMoment& /*moment*/) {
   for (Holders::Holder& holder : holders.holders) {
     holder.winding_speed = 0.0;
@@ -52,8 +53,8 @@ struct HolderStates {
 
   struct Holder {
     bool is_holding = false;
-    double length = 0.0;  ///< of the rope that is out, when taut; 0 when it holds nothing, and of other holders [m]
-    double force = 0.0;   ///< on what is held, without the noise of single engine steps; 0 of grippers [N]
+    double length = 0.0;  ///< of the unwound rope when taut; 0 when it holds nothing, and for other holders [m]
+    double force = 0.0;   ///< on the held object, without the noise of single engine steps; 0 for grippers [N]
   };
 
   Span<const Holder> holders;

@@ -7,26 +7,26 @@
 
 namespace swarmanoid {
 
-/// Readings in the robot's own frame (x ahead, y left, z up), as REP-145 has them.
+/// Readings in the robot's own frame (x ahead, y left, z up), by REP-145.
 struct Imu {
   static constexpr const char* kType = "imu";
-  static constexpr double kGravity = 9.81;  ///< that accelerometers feel at rest on the Earth [m/s2]
+  static constexpr double kGravity = 9.81;  ///< acceleration of gravity on the Earth [m/s2]
 
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< right-handed about x, y, z [rad/s]
-  /// What accelerometers measure: of a robot that stands still gravity, but upwards; of one that falls freely 0 [m/s2].
+  /// Proper acceleration: for a robot at rest gravity, but upwards; in free fall 0 [m/s2].
   Eigen::Vector3d linear_acceleration{0.0, 0.0, kGravity};
 
-  /// How a robot moves and leans at a moment, in its own frame.
+  /// Motion and attitude of a robot at a moment, in its own frame.
   struct Motion {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< of its origin [m/s]
     Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s]
-    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();               ///< where up is, of length 1
+    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();               ///< the upward direction, of length 1
     double gravity = kGravity;                                   ///< downwards, from this moment on [m/s2]
   };
 
-  /// The law by which all units of the suite respond. The acceleration is that between two moments: how the velocity
-  /// changes in the robot's frame, what turning adds to it, and gravity; what changes meanwhile counts with its mean.
-  /// An arc at constant speed has exactly speed * turn rate.
+  /// The response of all units of the suite. The acceleration is the mean between two moments: the rate of change of
+  /// the velocity in the robot's frame, plus angular velocity x velocity for the rotating frame, plus gravity. The last
+  /// two terms use the means of both moments. An arc at constant speed has exactly speed * turn rate.
   /// @param before the motion `dt` earlier; the same as `now` if none is known @param dt greater than 0 [s]
   static Imu reading(const Motion& before, const Motion& now, double dt) {
     const Eigen::Vector3d velocity = 0.5 * (before.velocity + now.velocity);

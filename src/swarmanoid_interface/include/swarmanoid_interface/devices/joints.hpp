@@ -1,7 +1,7 @@
 /// Actuator and sensor: the joints of any robot, as many as it has. Wheels are not among them.
 ///
-/// Joints are in the order of the robot's model: what carries comes before what it carries, and joints of one link are
-/// in the order of their names. Angles are right-handed about the joints' axes, and 0 where the URDF has them.
+/// Joints are in the order of the robot's model: parents come before children, and joints of one link are in the order
+/// of their names. Angles are right-handed about the joints' axes, with the zero of the URDF.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace swarmanoid {
 
 /// The commands of the joints' motors. Their initial values hold the angle 0, as does a robot without this device.
-/// Commands beyond the joints that the robot has mean nothing.
+/// Commands beyond the number of joints of the robot are ignored.
 struct Joints {
   static constexpr const char* kType = "joints";
   static constexpr std::size_t kMost = 16;
@@ -27,8 +27,8 @@ struct Joints {
 
   struct Joint {
     Mode mode = Mode::kAngle;
-    double angle = 0.0;  ///< to turn to [rad]
-    double speed = 0.0;  ///< to turn with [rad/s]
+    double angle = 0.0;  ///< target in mode kAngle [rad]
+    double speed = 0.0;  ///< target in mode kSpeed [rad/s]
 
     void holdAngle(double rad) { *this = {Mode::kAngle, rad, 0.0}; }
     void turnAt(double rad_per_s) { *this = {Mode::kSpeed, 0.0, rad_per_s}; }
@@ -66,7 +66,7 @@ struct JointStates {
   static constexpr std::size_t kMost = Joints::kMost;
 
   struct Joint {
-    double angle = 0.0;   ///< of a joint without stops in (-pi, pi] [rad]
+    double angle = 0.0;   ///< [rad]; in (-pi, pi] for a joint without stops
     double speed = 0.0;   ///< [rad/s]
     double effort = 0.0;  ///< of the motor and the stops, along positive angles; 0 in engines without forces [N m]
   };

@@ -9,8 +9,8 @@
 
 namespace swarmanoid {
 
-/// Colours in the order of the LEDs: that of the robot's description. A black LED is off; colours beyond the LEDs that
-/// the robot has are not shown.
+/// Colours in the order of the LEDs: that of the robot's description. A black LED is off; colours beyond the number of
+/// LEDs of the robot are ignored.
 struct Leds {
   static constexpr const char* kType = "leds";
   static constexpr std::size_t kMost = 64;

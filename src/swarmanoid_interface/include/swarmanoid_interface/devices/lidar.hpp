@@ -16,26 +16,26 @@ namespace swarmanoid {
 
 /// The reading of one beam.
 struct LidarBeam {
-  /// [m]; by REP-117 infinity with nothing in range, -infinity with something too close, NaN before the first scan
+  /// [m]; by REP-117 infinity with nothing in range, -infinity with an object too close, NaN before the first scan
   float range = std::numeric_limits<float>::quiet_NaN();
-  float angle = 0.0F;  ///< where the beam looks, in the frame of the link [rad], in [-pi, pi]
+  float angle = 0.0F;  ///< direction of the beam in the frame of the link [rad], in [-pi, pi]
 };
 
-/// The last scan: all beams at one moment, from the smallest angle on. The span is valid until the next tick.
+/// The last scan: all beams at one moment, in order of increasing angle. The span is valid until the next tick.
 struct Lidar {
   static constexpr const char* kType = "lidar";
   static constexpr const char* kLink = "lidar";
   static constexpr std::size_t kMostBeams = 4096;
-  static constexpr double kFarthest = 100.0;  ///< that an experiment may ask for [m]
-  /// Unless the experiment says otherwise, as an LDS-01 of ROBOTIS: 360 beams around, 0.12 to 3.5 m (its e-manual).
+  static constexpr double kFarthest = 100.0;  ///< largest range that an experiment may set [m]
+  /// Defaults, those of an LDS-01 of ROBOTIS: 360 beams around, 0.12 to 3.5 m (its e-manual).
   static constexpr std::size_t kUsualBeams = 360;
   static constexpr Range kUsualRange{0.12, 3.5};
 
   Span<const LidarBeam> beams;
-  float range_min = static_cast<float>(kUsualRange.minimum);  ///< what is nearer is too close [m]
-  float range_max = static_cast<float>(kUsualRange.maximum);  ///< what is farther is out of range [m]
-  float scan_time = 0.0F;                                     ///< from one scan to the next [s]
-  double age = 0.0;                                           ///< of the scan; 0 in the tick in which it is new [s]
+  float range_min = static_cast<float>(kUsualRange.minimum);  ///< nearer objects are too close [m]
+  float range_max = static_cast<float>(kUsualRange.maximum);  ///< farther objects are out of range [m]
+  float scan_time = 0.0F;                                     ///< period of the scans [s]
+  double age = 0.0;                                           ///< age of the scan; 0 in the tick of the scan [s]
 
   /// Angle between neighbouring beams [rad]. A field of view of a whole turn is divided evenly, so that the last beam
   /// is not the first one again; a smaller one has a beam at each end. @pre beams > 0
@@ -48,7 +48,7 @@ struct Lidar {
   static double firstAngle(std::size_t beams, double field_of_view) { return beams == 1 ? 0.0 : -0.5 * field_of_view; }
 };
 
-/// Seconds since the readings were made, for messages with a stamp.
+/// Age of the readings [s], for messages with a stamp.
 inline double ageOf(const Lidar& lidar) { return lidar.age; }
 
 template <class Visitor>

@@ -1,5 +1,4 @@
-/// Sensor: the light sensors of any robot, as many as it has, wherever they look. They feel the light of LEDs and
-/// lamps.
+/// Sensor: the light sensors of any robot, in any number and directions. They measure the light of LEDs and lamps.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +14,7 @@ namespace swarmanoid {
 /// The reading of one sensor.
 struct LightReading {
   float value = 0.0F;  ///< 0 in the dark, rising to 1, where it saturates
-  float angle = 0.0F;  ///< where the sensor looks in the robot's frame [rad], counter-clockwise from ahead, (-pi, pi]
+  float angle = 0.0F;  ///< direction of the sensor in the robot's frame [rad], counter-clockwise from ahead, (-pi, pi]
 };
 
 template <class Visitor>
@@ -25,34 +24,34 @@ void fields(Visitor& visit, LightReading& reading) {
 }
 
 /// Readings in the order of the sensors: that of the links light_0, light_1, ... of the robot's description, or, if it
-/// has none, of proximity_0, proximity_1, ..., since infrared sensors feel light as well.
-/// The span is valid until the next tick.
+/// has none, of proximity_0, proximity_1, ..., since infrared sensors are sensitive to light as well. The span is valid
+/// until the next tick.
 struct Light {
   static constexpr const char* kType = "light";
   static constexpr std::size_t kMostSensors = 64;
-  static constexpr double kUsualRange = 2.0;         ///< beyond which a source gives no light [m]
-  static constexpr double kReferenceDistance = 0.1;  ///< at which a white LED straight ahead gives just 1 [m]
+  static constexpr double kUsualRange = 2.0;         ///< maximum distance of a source [m]
+  static constexpr double kReferenceDistance = 0.1;  ///< at which a white LED straight ahead reads 1 [m]
 
   Span<const LightReading> sensors;
 
-  // The law by which all light sensors of the suite respond: the sum over the sources that nothing hides, saturated.
+  // The response of all light sensors of the suite: the sum over all visible sources, saturated.
 
   /// The brightness of a source: 0 for black, 1 for white, 1/3 for a pure red, green or blue.
   static constexpr double brightness(Color color) { return color.brightness(); }
-  /// What one source adds: brightness * max(0, cos(angle)) * (kReferenceDistance / distance)^2, where the angle is the
-  /// one between where the sensor looks and where the source is.
+  /// Contribution of one source: brightness * max(0, cos(angle)) * (kReferenceDistance / distance)^2, with the angle
+  /// between the direction of the sensor and that of the source.
   /// @param direction in which the sensor looks, of length 1; @param offset from the sensor to the source [m]
   static double share(double brightness, const Eigen::Vector3d& direction, const Eigen::Vector3d& offset) {
     const double ahead = direction.dot(offset);
     return ahead <= 0.0 ? 0.0 : share(brightness, ahead, offset.squaredNorm());
   }
-  /// The same of a source before the sensor. @param ahead how far it is along the direction of the sensor [m], above 0
-  /// @param squared_distance from the sensor [m2]
+  /// The same for a source in front of the sensor. @param ahead its distance along the direction of the sensor [m],
+  /// above 0 @param squared_distance from the sensor [m2]
   static double share(double brightness, double ahead, double squared_distance) {
     const double cosine = ahead / std::sqrt(squared_distance);
     return brightness * cosine * kReferenceDistance * kReferenceDistance / squared_distance;
   }
-  /// What a sensor reads. @param sum of the shares
+  /// The reading of a sensor. @param sum of the contributions
   static float response(double sum) { return static_cast<float>(std::min(sum, 1.0)); }
 };
 

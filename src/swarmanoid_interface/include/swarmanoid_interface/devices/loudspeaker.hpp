@@ -6,8 +6,8 @@
 
 namespace swarmanoid {
 
-/// A pure tone from the link `loudspeaker` of the robot's description, or, if it has none, from over its origin in the
-/// middle of its height. Microphones hear in the next tick what is commanded in this one; the robot's own do not.
+/// A pure tone from the link `loudspeaker` of the robot's description, or, if it has none, from a point over its origin
+/// at half its height. Microphones of other robots hear a command one tick later; the robot's own do not hear it.
 struct Loudspeaker {
   static constexpr const char* kType = "loudspeaker";
   static constexpr const char* kLink = "loudspeaker";

@@ -11,18 +11,18 @@
 
 namespace swarmanoid {
 
-/// The source that is loudest in the middle of a robot's microphones.
+/// The source that is loudest at the centre of a robot's microphones.
 struct LoudestSound {
-  static constexpr std::size_t kFewestForBearing = 3;  ///< microphones; with fewer, front and back look alike
+  static constexpr std::size_t kFewestForBearing = 3;  ///< microphones; with fewer, front and back are ambiguous
 
   float bearing = 0.0F;     ///< direction in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi]
-  float confidence = 0.0F;  ///< its part of the power of all that is heard, background too: 0 nothing, 1 it alone
-  float frequency = 0.0F;   ///< [Hz]; 0: no source is heard
+  float confidence = 0.0F;  ///< its fraction of the total power, background included; 0: no bearing
+  float frequency = 0.0F;   ///< [Hz]; 0: no source in range
 
-  /// A plane wave comes to some microphones earlier than to others; that gives the direction of a source that is far
-  /// from all of them. Here it is exact at any distance.
-  /// @param offset from the middle of the microphones to the source, in the robot's frame [m]
-  /// @param part of the power that is its own @param hertz its frequency @param microphones how many there are
+  /// The reading for a source. Real arrays measure the direction of a distant source by the arrival times of its plane
+  /// wave; here it is exact at any distance.
+  /// @param offset from the centre of the microphones to the source, in the robot's frame [m]
+  /// @param part fraction of the total power @param hertz frequency of the source @param microphones their number
   static LoudestSound at(const Eigen::Vector3d& offset, double part, double hertz, std::size_t microphones) {
     LoudestSound loudest;
     loudest.frequency = static_cast<float>(hertz);
@@ -46,11 +46,11 @@ void fields(Visitor& visit, LoudestSound& loudest) {
   visit(loudest.frequency, {"frequency", "Hz", "of the loudest source; 0: none is heard", {0.0, 20000.0}});
 }
 
-/// The reading of one microphone, and where it is.
+/// The reading and the position of one microphone.
 struct Microphone {
-  float level = 0.0F;  ///< sound pressure level [dB re 20 uPa]; that of the background in silence
-  float x = 0.0F;      ///< in the robot's frame, ahead [m]
-  float y = 0.0F;      ///< likewise, to the left [m]
+  float level = 0.0F;  ///< sound pressure level [dB re 20 uPa]; the background level in silence
+  float x = 0.0F;      ///< position in the robot's frame, ahead [m]
+  float y = 0.0F;      ///< position in the robot's frame, to the left [m]
 };
 
 template <class Visitor>
@@ -61,7 +61,7 @@ void fields(Visitor& visit, Microphone& microphone) {
 }
 
 /// Readings in the order of the microphones: that of the links microphone_0, microphone_1, ... of the robot's
-/// description. They hear alike in all directions. The span is valid until the next tick.
+/// description. They are omnidirectional. The span is valid until the next tick.
 struct Microphones {
   static constexpr const char* kType = "microphones";
   static constexpr std::size_t kMost = 64;

@@ -10,8 +10,8 @@
 
 namespace swarmanoid {
 
-/// Readings in the frame that the robot's own one was at its start: x ahead, y left. Where wheels slip, and where the
-/// robot is carried, they are wrong from then on.
+/// Readings in the robot's frame at its start: x ahead, y left. Slip of the wheels and carrying the robot cause
+/// permanent errors.
 struct Odometry {
   static constexpr const char* kType = "odometry";
   static constexpr std::size_t kCoordinates = 3;
@@ -20,20 +20,20 @@ struct Odometry {
   double y = 0.0;          ///< [m]
   double heading = 0.0;    ///< counter-clockwise, from -pi to pi [rad]
   double speed = 0.0;      ///< ahead, the mean of the last tick [m/s]
-  double turn_rate = 0.0;  ///< counter-clockwise, likewise [rad/s]
-  /// Of x, y and heading, row by row [m2, m rad, rad2].
+  double turn_rate = 0.0;  ///< counter-clockwise, the mean of the last tick [rad/s]
+  /// Covariance of x, y and heading, row by row [m2, m rad, rad2].
   std::array<double, kCoordinates * kCoordinates> covariance{};
 
-  /// How far a wheel has rolled in a tick.
+  /// Distance that a wheel has rolled in a tick.
   struct Way {
     double length = 0.0;    ///< positive ahead [m]
     double variance = 0.0;  ///< [m2]
   };
 
-  /// The law by which all odometry of the suite goes on: along the arc that two wheels roll which keep their speeds
-  /// during the tick. The covariance grows as a Gaussian does to first order: J P J' + G diag(left, right) G', with the
-  /// derivatives of the step J by the pose and G by the two ways (Siegwart and Nourbakhsh, Introduction to Autonomous
-  /// Mobile Robots, MIT Press 2004, section 5.2.4).
+  /// Integrates one tick; all odometry of the suite follows this law. The robot moves along the arc of two wheels with
+  /// constant speeds during the tick. The covariance is propagated to first order: J P J' + G diag(left, right) G',
+  /// with the derivatives of the step J by the pose and G by the two ways (Siegwart and Nourbakhsh, Introduction to
+  /// Autonomous Mobile Robots, MIT Press 2004, section 5.2.4).
   /// @param separation between the wheels [m] @param dt greater than 0 [s]
   void roll(const Way& left, const Way& right, double separation, double dt) {
     const double way = 0.5 * (left.length + right.length);

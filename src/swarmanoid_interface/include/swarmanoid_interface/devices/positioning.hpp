@@ -1,4 +1,4 @@
-/// Sensor: where any robot is and how it lies, as a system that tracks it from outside says.
+/// Sensor: the pose of any robot, as measured by an external tracking system.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,8 +9,8 @@
 
 namespace swarmanoid {
 
-/// Readings in the frame of the world, which all robots share: of the robot's origin, and of its own frame (x ahead, y
-/// left, z up) by turns about the world's x, then y, then z axis (REP-103).
+/// Readings in the frame of the world, which all robots share: the position of the robot's origin, and the orientation
+/// of its own frame (x ahead, y left, z up) by turns about the world's x, then y, then z axis (REP-103).
 struct Positioning {
   static constexpr const char* kType = "positioning";
 
@@ -19,7 +19,7 @@ struct Positioning {
   double pitch = 0.0;    ///< positive: nose down, from -pi/2 to pi/2; at either end the roll is 0 [rad]
   double heading = 0.0;  ///< counter-clockwise from the world's x axis, from -pi to pi [rad]
 
-  /// What a system without errors says.
+  /// The reading of a system without errors.
   static Positioning reading(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
     const Eigen::Vector3d angles = anglesFromOrientation(orientation);
     return {position, angles.x(), angles.y(), angles.z()};

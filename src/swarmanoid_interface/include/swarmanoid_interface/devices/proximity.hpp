@@ -1,4 +1,4 @@
-/// Sensor: the infrared proximity sensors of any robot, as many as it has, wherever they look.
+/// Sensor: the infrared proximity sensors of any robot, in any number and directions.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace swarmanoid {
 /// The reading of one sensor.
 struct ProximityReading {
   float value = 0.0F;  ///< 0 with nothing in range, rising to 1 at contact
-  float angle = 0.0F;  ///< where the sensor looks in the robot's frame [rad], counter-clockwise from ahead, (-pi, pi]
+  float angle = 0.0F;  ///< direction of the sensor in the robot's frame [rad], counter-clockwise from ahead, (-pi, pi]
 };
 
 template <class Visitor>
@@ -25,12 +25,12 @@ void fields(Visitor& visit, ProximityReading& reading) {
 struct Proximity {
   static constexpr const char* kType = "proximity";
   static constexpr std::size_t kMostSensors = 64;
-  static constexpr double kUsualRange = 0.1;  ///< from a sensor, where its response has fallen to 0 [m]
+  static constexpr double kUsualRange = 0.1;  ///< distance from a sensor at which its response is 0 [m]
 
   Span<const ProximityReading> sensors;
 
-  /// The law by which all proximity sensors of the suite respond.
-  /// @param fraction of the range at which something is: 0 at contact, 1 at the range or beyond
+  /// The response of all proximity sensors of the suite.
+  /// @param fraction distance of the obstacle divided by the range: 0 at contact, 1 at the range or beyond
   static constexpr float response(double fraction) {
     const double closeness = 1.0 - fraction;
     return static_cast<float>(closeness * closeness * closeness);

@@ -1,12 +1,11 @@
-/// What radios have in common: messages (messages.hpp) that go through walls, say who sent them, and may be for one
-/// robot alone. They say nothing of where the sender is.
+/// Common parts of radios: messages (messages.hpp) that pass through walls, carry the address of the sender, and may be
+/// addressed to one robot. They do not give the position of the sender.
 ///
 ///     robot.actuator<Wifi>().send(payload, addressOf("fb_3"));
 ///     for (const WifiMessage& message : robot.sensor<WifiReceived>().messages) { ... message.sender ... }
 ///
-/// A robot's address follows from its name, as those of machines in a network follow from theirs: whoever knows the
-/// name can send to it, whoever knows the names knows who has sent, and nobody has to set an address. On a robot the
-/// driver translates.
+/// A robot's address is derived from its name, so addresses need no configuration: a sender only needs the name of the
+/// receiver, and a receiver can look up the name of a sender. On a robot the driver translates addresses.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,10 +18,10 @@
 
 namespace swarmanoid {
 
-/// 48 bits, as many as radios have in their hardware addresses (IEEE Std 802-2014, 8.2): two of 10,000 robots have the
-/// same one with a probability of 2e-7.
+/// 48 bits, as in hardware addresses of radios (IEEE Std 802-2014, 8.2): the probability that any two of 10,000 robots
+/// have the same address is 2e-7.
 using RadioAddress = std::uint64_t;
-constexpr RadioAddress kEverybody = 0;  ///< nobody's own
+constexpr RadioAddress kEverybody = 0;  ///< broadcast; not the address of any robot
 
 /// The address of a robot. @param name Robot::name
 inline RadioAddress addressOf(std::string_view name) {
@@ -35,7 +34,7 @@ inline RadioAddress addressOf(std::string_view name) {
 /// The command of a radio. @tparam byte_count of each message
 template <std::size_t byte_count>
 struct RadioCommand : MessageCommand<byte_count> {
-  RadioAddress to = kEverybody;  ///< who alone shall have it
+  RadioAddress to = kEverybody;  ///< the only receiver, or kEverybody
 
   void send(const typename MessageCommand<byte_count>::Payload& bytes, RadioAddress receiver = kEverybody) {
     MessageCommand<byte_count>::send(bytes);
@@ -59,7 +58,7 @@ struct RadioMessage {
   RadioAddress sender = kEverybody;  ///< its address
   typename MessageCommand<byte_count>::Payload payload{};
 
-  /// A radio does not know where a sender is. @param offset to its antenna
+  /// Does nothing: a radio does not measure the position of a sender. @param offset to its antenna
   void measure(const Eigen::Vector3d& /*offset*/) {}
 };
 

@@ -1,5 +1,5 @@
-/// Actuator and sensor: range and bearing, an infrared board with which robots in sight of each other exchange short
-/// messages, and measure where the sender of each is. Any robot may have it.
+/// Actuator and sensor: range and bearing, an infrared board that exchanges short messages between robots in sight of
+/// each other and measures the position of each sender. Any robot may have it.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,16 +19,16 @@ struct RangeAndBearing : MessageCommand<10> {
 REGISTER_DEVICE_OF_SUITE(RangeAndBearing, kActuator,
                          "An infrared board that sends short messages to all robots in sight.")
 
-/// One message, with the place of the sender's transmitter as the receiver's own measures it.
+/// One message, with the position of the sender's transmitter relative to the receiver's.
 struct RangeAndBearingMessage {
   float range = 0.0F;      ///< distance between the two transmitters [m]
   float bearing = 0.0F;    ///< direction in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi]
   float elevation = 0.0F;  ///< of the direction above the robot's x-y plane, from -pi/2 to pi/2 [rad]
   RangeAndBearing::Payload payload{};
 
-  /// Measures where a sender is. Sums, products and roots, written out, since then compilers make a loop over messages
-  /// one over several at once; Eigen's norms keep them from it.
-  /// @param offset from the own transmitter to its one, in the robot's frame [m]
+  /// Measures the position of a sender. The norms are written out, so that compilers vectorise a loop over messages;
+  /// Eigen's norms prevent that.
+  /// @param offset from the robot's own transmitter to the sender's, in the robot's frame [m]
   void measure(const Eigen::Vector3d& offset) {
     const auto ahead = static_cast<float>(offset.x());
     const auto left = static_cast<float>(offset.y());
@@ -52,8 +52,8 @@ void fields(Visitor& visit, RangeAndBearingMessage& message) {
 
 struct RangeAndBearingReceived : ReceivedMessages<RangeAndBearingMessage> {
   static constexpr const char* kType = "range_and_bearing_received";
-  static constexpr double kUsualRange = 3.0;  ///< between transmitters, beyond which it hears nothing [m]
-  static constexpr bool kNeedsSight = true;   ///< what stands between transmitters hides them
+  static constexpr double kUsualRange = 3.0;  ///< maximum range between transmitters [m]
+  static constexpr bool kNeedsSight = true;   ///< obstacles between transmitters block reception
 };
 REGISTER_DEVICE_OF_SUITE(RangeAndBearingReceived, kSensor,
                          "Messages of the robots in sight, with the distance and direction of each.")

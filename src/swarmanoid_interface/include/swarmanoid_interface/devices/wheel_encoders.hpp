@@ -7,8 +7,8 @@
 
 namespace swarmanoid {
 
-/// What the wheels have turned, whether the ground followed or they slipped; positive drives the robot forward (its x
-/// axis). Carrying the robot away turns no wheel.
+/// Rotation of the wheels, slip included; positive drives the robot forward (its x axis). Carrying the robot away does
+/// not turn the wheels.
 struct WheelEncoders {
   static constexpr const char* kType = "wheel_encoders";
 
@@ -21,8 +21,8 @@ struct WheelEncoders {
   Wheel left;
   Wheel right;
 
-  /// What an encoder counts of an angle: whole steps towards minus infinity. @param angle [rad]
-  /// @param ticks_per_turn that it resolves; 0: every angle @return [rad]
+  /// Quantises an angle as an encoder does: to whole steps, towards minus infinity. @param angle [rad]
+  /// @param ticks_per_turn resolution; 0: unlimited @return [rad]
   static double counted(double angle, double ticks_per_turn) {
     if (ticks_per_turn == 0.0) {
       return angle;

@@ -5,8 +5,8 @@
 
 namespace swarmanoid {
 
-/// Angular velocities of the wheels [rad/s]; positive drives the robot forward (its x axis). How far that takes it
-/// depends on its wheels; who thinks in metres commands a DifferentialDrive.
+/// Angular velocities of the wheels [rad/s]; positive drives the robot forward (its x axis). The resulting speed
+/// depends on the radius of the wheels; use DifferentialDrive to command a speed in m/s.
 struct Wheels {
   static constexpr const char* kType = "wheels";
 

@@ -1,5 +1,5 @@
-/// Actuator and sensor: WiFi, with which robots exchange larger messages over a long range, whatever stands between
-/// them (thesis 1: "wireless communication in two fashions"). Any robot may have it.
+/// Actuator and sensor: WiFi, for larger messages between robots over a long range, through obstacles too (thesis 1:
+/// "wireless communication in two fashions"). Any robot may have it.
 #pragma once
 
 #include "swarmanoid_interface/devices/radio.hpp"
@@ -18,11 +18,11 @@ using WifiMessage = RadioMessage<Wifi::kBytes>;
 
 struct WifiReceived : ReceivedMessages<WifiMessage> {
   static constexpr const char* kType = "wifi_received";
-  /// Between antennas, beyond which it hears nothing: IEEE 802.11g in the open; in buildings it is 30 m [m].
+  /// Maximum range between antennas: that of IEEE 802.11g in the open; in buildings it is 30 m [m].
   static constexpr double kUsualRange = 100.0;
   static constexpr bool kNeedsSight = false;
   static constexpr bool kSharesChannel = true;
-  /// What a receiver may lose where signals are as weak as it takes them (IEEE Std 802.11-2016, 17.3.10.2).
+  /// Packet loss allowed at the receiver's minimum sensitivity (IEEE Std 802.11-2016, 17.3.10.2).
   static constexpr double kUsualLossAtRange = 0.1;
 };
 REGISTER_DEVICE_OF_SUITE(WifiReceived, kSensor, "Messages that came by WiFi, with the address of each sender.")

@@ -7,7 +7,7 @@ namespace swarmanoid {
 
 enum class ExitCode : int {
   kFinished = 0,          ///< the run was completed, whether or not the experiment was a success
-  kDiffers = 1,           ///< what was compared is not equal: a run made again, two records, replayed commands
+  kDiffers = 1,           ///< compared results differ: a repeated run, two records, replayed commands
   kBadInput = 2,          ///< a mistake in a file, a parameter or on the command line: nothing was run
   kControllerFailed = 3,  ///< it threw, crashed or took too long: the run went on without it, or ended in that call
   kStopped = 4,           ///< an engine, a device, an observer, another participant or a full disk stopped the run

@@ -1,4 +1,4 @@
-/// Limits what static destructors of libraries do to a process that ends: they are users' code too, and no watch covers
+/// Ends a process whose static destructors crash or hang: those of libraries are users' code too, and no watch covers
 /// them.
 #pragma once
 
@@ -6,9 +6,9 @@
 
 namespace swarmanoid {
 
-/// Is called when all work and output is done, by the thread that ends the process: if it crashes, or does not end by
-/// itself within some seconds, it ends with this exit code, and reports that. The function starts a thread for the
-/// limit of time, which does not delay an earlier end; where no thread can be started, there is none.
+/// The thread that ends the process calls this function when all work and output is done. If the process then crashes,
+/// or does not end by itself within some seconds, it ends with this exit code and reports that. The time limit runs in
+/// a thread of its own, which does not delay an earlier end; if no thread can be started, there is no time limit.
 void endWithinSeconds(ExitCode code);
 
 }  // namespace swarmanoid

@@ -1,13 +1,13 @@
-/// The boundary between the suite and users' code. The owner of the called code is noted for as long as the call lasts,
-/// and every exception is caught: every call of a controller, the loading of every library, and the calls of a tick to
+/// The boundary between the suite and users' code. While a call lasts, a note names the owner of the called code, and
+/// every exception is caught: every call of a controller, the loading of every library, and the calls of a tick to
 /// engines, devices and observers, the suite's own included, go through here.
 ///
-/// The notes supply the name of the robot, or of the plugin, when a call does not return: they are read by handlers of
-/// crashes, and by the watch that reports calls that take too long (user_code_watch.hpp).
+/// The notes name the robot or the plugin when a call does not return. Crash handlers read them, and so does the watch
+/// that reports calls that take too long (user_code_watch.hpp).
 ///
 /// Threads  all functions may be called from any thread; each thread has its own notes.
-/// Cost     a note is some stores into memory that is the thread's own, and a check whether the process is being ended:
-///          no allocation, lock or system call, except for the first note of a thread.
+/// Cost     a note takes some stores to thread-local memory and a check whether the process is being ended: no
+///          allocation, lock or system call, except for the first note of a thread.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,7 @@ class UserCall {
 /// (pthread_exit): that ends the process, as a crash does.
 std::string describeException();
 
-/// Calls users' code whose call is noted already. @return whether it threw nothing
+/// Calls users' code whose call has a note already. @return true if it threw nothing
 /// @param failure description of the exception; written only if there was one
 template <class Action>
 bool succeeds(Action action, std::string& failure) {
@@ -78,7 +78,7 @@ std::string failureOf(const UserCode& code, Action action) {
   return failure;
 }
 
-/// Calls users' code. @return what it returns
+/// Calls users' code. @return its result
 /// @throws std::exceptions of users' code, unchanged; std::runtime_error with a description for anything else that is
 /// thrown
 template <class Action>
@@ -93,7 +93,7 @@ auto callUserCode(const UserCode& code, Action action) {
   }
 }
 
-/// Calls a plugin that is no controller: an engine, a device, an observer. std::exceptions pass unchanged, for their
+/// Calls a plugin that is no controller: an engine, a device, an observer. std::exceptions pass unchanged, since their
 /// messages name the plugin. @param phase, part, tick as UserCode has them
 /// @throws std::runtime_error "engine 'ground' (dynamics2d) threw the number 7, ..." for anything else that is thrown
 template <class Action>

@@ -1,4 +1,4 @@
-/// Serves tests that code allocates nothing: it counts every malloc of the program, and so every new.
+/// For tests of code that must not allocate: counts every malloc of the program, and so every new.
 ///
 /// It replaces malloc and its relatives in the test's executable; several of its sources may include it.
 #pragma once
@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstddef>
 
-// Sanitizers have their own malloc; nothing is counted there, and tests skip themselves.
+// Sanitizers have their own malloc: allocations are not counted, and tests skip themselves.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SWARMANOID_COUNTS_ALLOCATIONS 0
 #else

@@ -1,7 +1,7 @@
-/// The errors of one sensor or actuator object: none, until one is added. What has none spends nothing but a branch.
+/// The errors of one sensor or actuator object; none until one is added. A device without errors costs only a branch.
 ///
-/// Units, phases, threads and repeats are those of ErrorChain: errors are added while the device is configured, and
-/// afterwards the object is only read, by all threads at once, each with states of other robots.
+/// Units, phases, threads and repeats are those of ErrorChain. Errors are added while the device is configured;
+/// afterwards the object is only read, concurrently by all threads, each with the states of different robots.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace swarmanoid {
 
 class DeviceErrors {
  public:
-  /// @param type Device::kType: the text must outlive the object
+  /// @param type Device::kType; the text must outlive the object
   explicit DeviceErrors(const char* type, ErrorOrigin origin = ErrorOrigin::kConfiguration)
       : type_(type), origin_(origin) {}
 
@@ -26,22 +26,23 @@ class DeviceErrors {
   bool hasListed() const { return chain_ != nullptr && chain_->hasListed(); }
 
   /// Adds the <error> elements of an experiment file, in their order.
-  /// @throws ConfigError if they do not suit the device, or REGISTER_DEVICE does not stand below its struct; those
-  /// before stay added
+  /// @throws ConfigError if an error does not suit the device, or REGISTER_DEVICE does not stand below its struct;
+  /// earlier errors stay added
   void add(const std::vector<ErrorModelDescription>& errors) {
     for (const ErrorModelDescription& error : errors) {
       require(error.location).add(error);
     }
   }
   /// Adds an error that a parameter of the device means (ErrorChain::addAlias), or nothing if the value is 0.
-  /// @pre nothing was added with `add`, and the kind is known @throws ConfigError if the field is not, or does not suit
+  /// @pre nothing was added with `add`, and the kind is known
+  /// @throws ConfigError if the field is unknown or does not suit
   void addAlias(const std::string& kind, const std::string& field, const std::string& parameter, double value) {
     if (value != 0.0) {
       require({}).addAlias(kind, field, parameter, value);
     }
   }
 
-  // The rest is as in ErrorChain. @pre it is not empty
+  // The other functions are those of ErrorChain. @pre the object is not empty
 
   ErrorState makeState(std::uint64_t seed, std::string_view entity, std::size_t most_elements) const {
     SWARMANOID_EXPECTS(!isEmpty());

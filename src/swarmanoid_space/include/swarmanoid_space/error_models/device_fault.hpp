@@ -1,10 +1,10 @@
-/// The faults of one robot's device, beside the errors of its configuration, with all that is kept of them.
+/// The faults of one robot's device, in addition to the errors of its configuration, with their state.
 ///
-/// Phases   made between ticks, when somebody intervenes. apply: in `sense` and `actuate`, after the errors of the
+/// Phases   created between ticks, by an intervention. apply: in `sense` and `actuate`, after the errors of the
 ///          configuration.
-/// Threads  it belongs to one robot: faults of different robots act at the same time.
-/// Repeats  as in ErrorChain, from streams of their own: what errors of the same kind and field draw stays as it is.
-///          A fault that is given again after the device was mended draws what it drew.
+/// Threads  the object belongs to one robot: faults of different robots act concurrently.
+/// Repeats  as in ErrorChain, from separate streams: the draws of configured errors of the same kind and field do not
+///          change. A fault that is set again after a repair draws the same numbers again.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace swarmanoid {
 
 class DeviceFault {
  public:
-  /// @param type Device::kType: the text must outlive the object @param errors as in DeviceErrors::add
+  /// @param type Device::kType; the text must outlive the object @param errors as in DeviceErrors::add
   /// @param seed, entity, most_elements as in ErrorChain::makeState
   /// @pre there are errors @throws ConfigError if they do not suit the device
   DeviceFault(const char* type, std::vector<ErrorModelDescription> errors, std::uint64_t seed, std::string_view entity,

@@ -1,7 +1,7 @@
-/// The elements of a span, copied as bytes to a place of their own.
+/// A byte copy of the elements of a span.
 ///
-/// Threads  one at a time: it belongs to the state of one robot's device. It allocates only when it is given more than
-///          ever before.
+/// Threads  one at a time: the object belongs to the state of one robot's device. It allocates only for a copy that is
+///          larger than all previous ones.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,11 @@ namespace swarmanoid {
 
 class ElementBuffer {
  public:
-  /// Makes room for so many bytes.
+  /// Reserves memory for so many bytes.
   void reserve(std::size_t bytes) { words_.resize(wordsOf(bytes)); }
 
-  /// Copies elements. @param elements as bytes; may be its own @param size of an element [byte] @pre size > 0
+  /// Copies elements.
+  /// @param elements as bytes; may be those of this object @param size of an element [byte] @pre size > 0
   void assign(Span<const std::byte> elements, std::size_t size) {
     if (words_.size() < wordsOf(elements.size())) {
       reserve(elements.size());

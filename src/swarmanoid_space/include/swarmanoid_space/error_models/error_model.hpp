@@ -1,13 +1,13 @@
-/// The base classes of error models: what one <error> of an experiment file does to the readings of a sensor or to the
-/// commands of an actuator.
+/// The base classes of error models. One <error> of an experiment file changes the readings of a sensor or the commands
+/// of an actuator.
 ///
 /// Units    numbers are in the unit of their field, and so are the parameters of a kind. Time is counted in ticks.
-/// Phases   making a model, firstMemory: between ticks. apply: in `sense` and `actuate`.
-/// Threads  kinds register while a library loads (one thread), and are only read afterwards.
-///          apply is called at once for different robots. No allocation, lock, log or throw in it.
-/// Errors   the constructor of a kind throws ConfigError at the parameter that does not suit.
-/// Repeats  apply may be called again in the same tick, and then has the same effect; what it keeps from tick to tick
-///          is in ErrorStep, never in the model.
+/// Phases   construction of a model, firstMemory: between ticks. apply: in `sense` and `actuate`.
+/// Threads  kinds register while a library loads (one thread), and are only read afterwards. apply is called
+///          concurrently for different robots. No allocation, lock, log or throw in it.
+/// Errors   the constructor of a kind throws ConfigError at the invalid parameter.
+/// Repeats  apply may be called again in the same tick, and then has the same effect. State that lasts from tick to
+///          tick is in ErrorStep, never in the model.
 ///
 /// To add a kind: one file in src/error_models/kinds/, with a class that derives from NumberError or WholeFieldError
 /// and ends with REGISTER_ERROR_MODEL.
@@ -31,19 +31,19 @@
 
 namespace swarmanoid {
 
-/// One robot's device in one tick, and what an error model keeps for it.
+/// One robot's device in one tick, and the state of an error model for it.
 struct ErrorStep {
   std::uint64_t tick = 0;
-  /// The first tick in which the error acts on this robot: `from_tick` of the <error>, or the robot's own first tick if
-  /// that is later.
+  /// First tick in which the error acts on this robot: `from_tick` of the <error> or the robot's own first tick,
+  /// whichever is later.
   std::uint64_t first_tick = 0;
   const FieldSelection* fields = nullptr;
   const std::vector<SpanPlace>* spans = nullptr;  ///< of the device
   DisturbedDevice device;
-  /// Of this <error> and robot, at the start of the tick's sequence. Errors that parameters of the device mean draw
-  /// from one stream, each after those before it.
+  /// The stream of this <error> and robot, at the start of the tick's sequence. Aliases (errors that parameters of the
+  /// device mean) draw one after the other from one shared stream.
   RandomStream* random = nullptr;
-  double* memory = nullptr;         ///< one for each number, as it was after the last tick; none without keepsMemory
+  double* memory = nullptr;         ///< one value per number, as after the last tick; empty without keepsMemory
   FieldHistory* history = nullptr;  ///< with as many slots as historySlots
 
   bool isActive() const { return tick >= first_tick; }
@@ -55,14 +55,14 @@ class ErrorModel {
  public:
   virtual ~ErrorModel() = default;
 
-  /// Whether a double is kept for each number from tick to tick.
+  /// Whether the model keeps a double for each number from tick to tick.
   virtual bool keepsMemory() const { return false; }
-  /// Draws what stays the same for the whole run. Called once for each number of each robot, if memory is kept.
+  /// Draws values that are constant during a run. Called once for each number of each robot, if the model keeps memory.
   /// @param random of this <error> and robot @return the memory of the number before its first tick
   virtual double firstMemory(RandomStream& /*random*/) const { return 0.0; }
-  /// Number of moments of which the fields are kept.
+  /// Number of times for which the model keeps the fields.
   virtual std::size_t historySlots() const { return 0; }
-  /// Called in each tick, also before it is active.
+  /// Called in each tick, even before the error is active.
   virtual void apply(const ErrorStep& step) const = 0;
 };
 
@@ -76,11 +76,11 @@ struct KeepsMemory<Kind, std::void_t<decltype(std::declval<const Kind&>().distur
 
 }  // namespace detail
 
-/// An error model that changes number by number. `Kind` has one of these const functions, which returns the number with
-/// its error:
+/// An error model that changes each number separately. `Kind` has one of these const functions, which returns the
+/// disturbed number:
 ///     double disturb(double value, RandomStream& random) const
 ///     double disturb(double value, double& memory, RandomStream& random) const
-/// `memory` is firstMemory at first, and belongs to the number; the elements of a span share that of their field.
+/// `memory` starts as firstMemory and belongs to the number; the elements of a span share that of their field.
 template <class Kind>
 class NumberError : public ErrorModel {
  public:
@@ -92,7 +92,7 @@ class NumberError : public ErrorModel {
     if (!step.isActive()) {
       return;
     }
-    // copies, so that the compiler need not expect that writing a number changes them
+    // local copies tell the compiler that writing a number does not change them
     const auto& kind = static_cast<const Kind&>(*this);
     double* const memory = step.memory;
     RandomStream* const random = step.random;
@@ -105,7 +105,7 @@ class NumberError : public ErrorModel {
         static_cast<void>(memory), static_cast<void>(index);
         disturbed = kind.disturb(value, *random);
       }
-      // that nothing is in range, or that something is too close, no error makes a distance of
+      // infinite distances ("nothing in range", "too close") stay as they are
       if (!place.is_distance || std::isfinite(value)) {
         place.write(bytes, disturbed);
       }
@@ -113,13 +113,13 @@ class NumberError : public ErrorModel {
   }
 };
 
-/// An error model that delivers fields as they were at another moment.
+/// An error model that replaces whole fields by their values at another time.
 class WholeFieldError : public ErrorModel {
  public:
   static constexpr ErrorSubject kSubject = ErrorSubject::kWholeFields;
 };
 
-/// The description that a kind gives of itself.
+/// The description of a kind, provided by its class.
 struct ErrorKindDescription {
   std::string name;     ///< the attribute `kind`
   std::string summary;  ///< one sentence
@@ -129,31 +129,31 @@ struct ErrorKindDescription {
 struct ErrorKind {
   ErrorKindDescription description;
   ErrorSubject subject = ErrorSubject::kNumbers;
-  /// @param parameters of the kind, all of them @throws ConfigError if they do not suit each other
+  /// @param parameters of the kind, complete @throws ConfigError if they do not suit each other
   std::function<std::unique_ptr<const ErrorModel>(const Configuration& parameters)> make;
 };
 
 /// Returns all kinds, sorted by name. They live as long as the process.
 std::vector<const ErrorKind*> errorKinds();
-/// @return null if there is none
+/// @return null if there is no such kind
 const ErrorKind* findErrorKind(const std::string& name);
 /// Returns the names of all kinds, sorted.
 std::vector<std::string> errorKindNames();
 
-/// Makes the description of a parameter of a kind: a number in the unit of the field, or without one.
-/// @param value the default; without one the parameter must be given
+/// Makes the description of a parameter of a kind: a number in the unit of the field, or without a unit.
+/// @param value the default; without it the parameter is required
 Parameter errorParameter(const std::string& name, Range range, const std::string& description,
                          std::optional<std::string> value = {});
 
-/// Registers a kind while the library loads. The first kind of a name stays; a second one of that name is ignored.
+/// Registers a kind while the library loads. A second kind of the same name is ignored.
 struct ErrorKindRegistration {
   explicit ErrorKindRegistration(ErrorKind kind);
 };
 
 }  // namespace swarmanoid
 
-/// At the end of a kind's source. `Class` has a static function `ErrorKindDescription describe()`, and is made from the
-/// configuration of its parameters.
+/// Registers a kind; place it at the end of the source. `Class` has a static function
+/// `ErrorKindDescription describe()`, and a constructor that takes the configuration of its parameters.
 #define REGISTER_ERROR_MODEL(Class)                                                                           \
   namespace {                                                                                                 \
   const ::swarmanoid::ErrorKindRegistration SWARMANOID_CONCATENATE(registration_, __COUNTER__)(               \

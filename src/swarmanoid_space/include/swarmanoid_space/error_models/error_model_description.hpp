@@ -10,11 +10,11 @@ namespace swarmanoid {
 
 struct ErrorModelDescription {
   std::string kind;               ///< "gaussian", ...
-  std::string field;              ///< as the device's descriptor names it; "": every field that the kind suits
-  Configuration parameters;       ///< of the kind, defaults filled in; numbers are in the unit of the field
-  std::uint64_t from_tick = 0;    ///< the first tick in which it acts
+  std::string field;              ///< name in the device's descriptor; "": all fields that suit the kind
+  Configuration parameters;       ///< of the kind, including defaults; numbers are in the unit of the field
+  std::uint64_t from_tick = 0;    ///< first tick in which the error acts
   SourceLocation location;        ///< of the element
-  SourceLocation field_location;  ///< the same, or the --set that gave the attribute `field`
+  SourceLocation field_location;  ///< that of the element, or of the --set that gave the attribute `field`
 };
 
 }  // namespace swarmanoid

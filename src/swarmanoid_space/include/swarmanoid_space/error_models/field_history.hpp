@@ -1,8 +1,8 @@
-/// Values of fields of one robot's device at several moments, one slot a moment.
+/// Values of fields of one robot's device at several times, one slot for each time.
 ///
-/// All slots are allocated when it is made. Only a span that is longer than ever before allocates afterwards.
+/// The constructor allocates all slots. Later only a span that is longer than all previous ones allocates.
 ///
-/// Threads  one at a time: it belongs to the state of one robot's device.
+/// Threads  one at a time: the object belongs to the state of one robot's device.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +16,16 @@ class FieldHistory {
  public:
   FieldHistory() = default;
   /// All slots hold the values of a device at rest, with empty spans.
-  /// @param fields the whole fields that are kept, the same in each later call @param slots number of moments
-  /// @param resting the struct of a device at rest @param spans of the device, the same in each later call
-  /// @param most_elements room for so many in each span
+  /// @param fields the whole fields to keep, the same in all later calls @param slots number of times
+  /// @param resting the struct of a device at rest @param spans of the device, the same in all later calls
+  /// @param most_elements memory is reserved for so many in each span
   FieldHistory(const FieldSelection& fields, std::size_t slots, const std::byte* resting,
                const std::vector<SpanPlace>& spans, std::size_t most_elements);
 
-  /// Copies the fields to a slot. @pre the slot is below the number of slots; likewise for `restore`
+  /// Copies the fields to a slot. @pre slot < number of slots
   void keep(std::size_t slot, const FieldSelection& fields, const std::vector<SpanPlace>& spans,
             const DisturbedDevice& device);
-  /// Copies a slot to the fields.
+  /// Copies a slot to the fields. @pre slot < number of slots
   void restore(std::size_t slot, const FieldSelection& fields, const std::vector<SpanPlace>& spans,
                const DisturbedDevice& device) const;
 

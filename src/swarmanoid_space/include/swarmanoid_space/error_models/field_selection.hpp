@@ -1,4 +1,4 @@
-/// Which numbers and spans of a device an error acts on, and how to get at them in any instance of the device.
+/// The numbers and spans of a device on which an error acts, with access to them in any instance of the device.
 ///
 /// Threads  const after it is made.
 #pragma once
@@ -14,10 +14,10 @@
 
 namespace swarmanoid {
 
-/// The device of one robot while errors act on it. It owns nothing.
+/// The device of one robot while errors act on it. Owns no memory.
 struct DisturbedDevice {
   std::byte* fields = nullptr;                     ///< the struct
-  std::vector<ElementBuffer>* elements = nullptr;  ///< of its spans, by span; filled are those that errors act on
+  std::vector<ElementBuffer>* elements = nullptr;  ///< by index of the span; filled only for spans with errors
 };
 
 /// A span of a device.
@@ -27,7 +27,7 @@ struct SpanPlace {
 };
 
 struct FieldSelection {
-  /// Bytes of the device that lie side by side.
+  /// Contiguous bytes of the device.
   struct Block {
     std::size_t offset = 0;  ///< from the beginning of the device [byte]
     std::size_t size = 0;    ///< [byte]
@@ -38,34 +38,34 @@ struct FieldSelection {
     std::vector<NumberPlace> numbers;
   };
 
-  std::vector<NumberPlace> numbers;  ///< outside of spans
-  std::vector<Block> blocks;         ///< the bytes of `numbers`, in as few blocks as they fill without a gap
+  std::vector<NumberPlace> numbers;  ///< outside spans
+  std::vector<Block> blocks;         ///< the bytes of `numbers`, as few blocks as possible
   std::vector<Elements> elements;    ///< numbers in the elements of spans
   std::vector<std::size_t> spans;    ///< whole spans, by index among the device's spans
 
   bool isEmpty() const { return numbers.empty() && elements.empty() && spans.empty(); }
-  /// Numbers, those of elements counted once however many elements there are.
+  /// Count of numbers; a number of a span's elements counts once, for any number of elements.
   std::size_t numberCount() const;
 };
 
-/// What a kind of error can act on.
+/// The fields on which a kind of error can act.
 enum class ErrorSubject {
   kNumbers,     ///< numbers, also those in elements of spans; no truth values, no enumerations
-  kWholeFields  ///< all fields and whole spans; no fields of elements, which are others in the next tick
+  kWholeFields  ///< all fields and whole spans; no fields of elements, since elements change from tick to tick
 };
 
-/// Spans of the device, in the order in which they travel.
+/// Spans of the device, in the order of transmission.
 std::vector<SpanPlace> spansOf(const DeviceType& device);
 
-/// Finds the fields of that name that suit. `field` is a name as in the descriptor: "left", "value", "value[3]",
-/// "joints[].angle", "blobs[].distance"; a name stands for all that is in it, and "" for the whole device.
+/// Finds the fields of that name that suit the subject. `field` is a name as in the descriptor: "left", "value",
+/// "value[3]", "joints[].angle", "blobs[].distance". A name includes all of its parts; "" means the whole device.
 /// @param kind for messages
-/// @throws ConfigError if there are none, naming those that there are
+/// @throws ConfigError if no field suits; the message names the suitable ones
 FieldSelection selectFields(const DeviceType& device, const std::string& field, ErrorSubject subject,
                             const std::string& kind, const SourceLocation& location);
 
-/// Calls `visit(place, bytes, index)` for each number: `bytes` is the struct that it lies in, `index` counts numbers,
-/// the same for that number of all elements of a span.
+/// Calls `visit(place, bytes, index)` for each number: `bytes` is the struct that contains it. `index` counts numbers;
+/// it is the same for one number in all elements of a span.
 template <class Visit>
 void forEachNumber(const FieldSelection& selection, DisturbedDevice device, Visit visit) {
   std::size_t index = 0;

@@ -1,7 +1,7 @@
 /// An experiment as its file describes it (thesis 4.2), checked but not yet built.
 ///
-/// Plain data: what reads files produces it, what builds simulations consumes it, tests write it by hand. Angles are in
-/// radians here, degrees only in the file. Every part has the place that it came from, for messages.
+/// Plain data: the reader of files produces it, the builder of simulations consumes it, tests write it by hand. Angles
+/// are in radians here, degrees only in the file. Every part keeps its location in the file, for messages.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -25,7 +25,7 @@ namespace swarmanoid {
 struct FrameworkDescription {
   Duration clocktick = std::chrono::milliseconds(100);
   std::uint64_t max_clock = 0;               ///< ticks after which the run is finished
-  std::vector<std::string> controller_path;  ///< folders that libraries are looked for in first
+  std::vector<std::string> controller_path;  ///< folders searched first for libraries
   std::uint64_t seed = 1;
   int threads = 1;
   double real_time_factor = 0.0;  ///< 0: as fast as possible
@@ -36,7 +36,7 @@ struct FrameworkDescription {
 struct DeviceDescription {
   std::string type;                           ///< never an alias
   std::string implementation;                 ///< never an alias, never empty
-  std::string library;                        ///< "" if it is already known
+  std::string library;                        ///< "" if it is already loaded
   Configuration parameters;                   ///< defaults filled in
   std::vector<ErrorModelDescription> errors;  ///< in the order of the file
   SourceLocation location;
@@ -46,20 +46,20 @@ struct ControllerDescription {
   std::string label;  ///< the tag
   std::string id;
   std::string library;
-  std::string script;  ///< the file in Python that has it, under its label; "": it is in C++
+  std::string script;  ///< Python file that contains the controller, under its label; "": in C++
   std::vector<DeviceDescription> actuators;
   std::vector<DeviceDescription> sensors;
-  Configuration parameters;  ///< `<parameters>`; the controller itself checks it
+  Configuration parameters;  ///< `<parameters>`; checked by the controller itself
   SourceLocation location;
 };
 
-/// Where many entities go.
+/// The placement of many entities.
 struct Distribution {
   enum class Layout {
-    kUniform,  ///< at random places
-    kGrid      ///< at even distances
+    kUniform,  ///< random positions
+    kGrid      ///< regular positions
   };
-  /// Where the origins are. Discs and rings lie level.
+  /// Region of the origins. Discs and rings are horizontal.
   enum class Area {
     kBox,   ///< `minimum` to `maximum`
     kDisc,  ///< `radius` around `center`
@@ -77,36 +77,37 @@ struct Distribution {
   double inner_radius = 0.0;                          ///< at most `radius` [m]
   Eigen::Vector3d from = Eigen::Vector3d::Zero();     ///< [m]
   Eigen::Vector3d to = Eigen::Vector3d::Zero();       ///< [m]
-  /// The entity from whose origin all x and y count; it is placed before these. "": from that of W.
+  /// The entity whose origin is the origin of all x and y; it is placed before these. "": the origin of W.
   std::string around;
   bool random_heading = true;  ///< uniform about z; otherwise the prototype's orientation
-  int max_trials = 100;        ///< for each entity, before it is an error
+  int max_trials = 100;        ///< for each entity; then it is an error
   SourceLocation location;
 
-  /// The smallest box that holds the area.
+  /// The smallest box that contains the area.
   Eigen::AlignedBox3d bounds() const;
-  /// A point of the area, uniform if the shares are. @param shares from 0 to 1; of a box along x, y and z
+  /// A point of the area; uniformly distributed if the shares are.
+  /// @param shares from 0 to 1; for a box along x, y and z
   Eigen::Vector3d pointAt(const Eigen::Vector3d& shares) const;
 };
 
-/// Who commands a robot.
+/// The command source of a robot.
 enum class CommandSource {
   kController,  ///< its controller, in the simulator's process
   kRemote,      ///< its controller, in another process that has registered for it
   kTopics,      ///< publishers on the topics of its actuators
-  kNone         ///< no source
+  kNone         ///< no command source
 };
 
-/// Whether another process than the simulator's commands the robot.
+/// Whether a process other than the simulator's commands the robot.
 inline bool isOfOthers(CommandSource source) {
   return source == CommandSource::kRemote || source == CommandSource::kTopics;
 }
 /// "controller", "remote", "topics", "none".
 const char* toString(CommandSource source);
-/// @return nothing if it is none
+/// @return nothing if the text is none of these
 std::optional<CommandSource> parseCommandSource(const std::string& text);
 
-/// As long as drivers of robots wait.
+/// The same time-out as that of the robots' drivers.
 constexpr Duration kCommandTimeout = std::chrono::milliseconds(500);
 
 struct EntityDescription {
@@ -117,9 +118,9 @@ struct EntityDescription {
   std::string controller;                            ///< id of a controller; "" for none
   SourceLocation controller_location;
   CommandSource source = CommandSource::kController;
-  Duration command_timeout = kCommandTimeout;  ///< with kTopics: it stops when no command came for so long
+  Duration command_timeout = kCommandTimeout;  ///< with kTopics: the robot stops after this time without a command
   Color color;                                 ///< of the surface (preys, lights); black: not seen by cameras
-  Configuration parameters;                    ///< the type's own values, defaults filled in
+  Configuration parameters;                    ///< of the type, including defaults
   std::optional<Distribution> distribution;
   SourceLocation location;
 };
@@ -132,18 +133,18 @@ struct ArenaDescription {
   bool bounded = false;  ///< walls along the four sides, in every engine
   std::vector<EntityDescription> entities;
   Floor floor;                             ///< without paint
-  std::optional<PaintDescription> paint;   ///< `<floor_paint>`; nothing: the floor takes none
+  std::optional<PaintDescription> paint;   ///< `<floor_paint>`; nothing: the floor cannot be painted
   std::shared_ptr<const Terrain> terrain;  ///< `<heightfield>`; null: the floor is level
   SourceLocation location;
 };
 
-/// A plugin with an id, as a section lists it.
+/// A plugin with an id, as listed in a section.
 struct PluginUse {
   std::string label;  ///< never an alias
   std::string id;
   std::string library;
-  std::string script;        ///< of a rule: the file in Python that has it, under its label; "": it is in C++
-  Configuration parameters;  ///< defaults filled in; of what is in Python, whatever stands there
+  std::string script;        ///< of a rule: Python file that contains it, under its label; "": in C++
+  Configuration parameters;  ///< including defaults; unchecked if the plugin is in Python
   SourceLocation location;
 };
 using EngineDescription = PluginUse;
@@ -152,7 +153,7 @@ using VisualisationDescription = PluginUse;
 
 enum class Role {
   kMove,   ///< the engine moves the entity
-  kMirror  ///< the engine holds it where another engine moves it
+  kMirror  ///< the engine keeps it at the pose that another engine gives it
 };
 
 /// One `<engine>` of `<arena_physics>`.
@@ -168,21 +169,21 @@ struct MappingDescription {
   SourceLocation location;
 };
 
-/// One `<handover>` of `<arena_physics>`: when its condition becomes true, an engine takes the entity over.
+/// One `<handover>` of `<arena_physics>`: an engine takes the entity over when the condition becomes true.
 struct HandoverDescription {
   enum class Condition {
     kInside,    ///< the entity's origin is in the box
-    kOutside,   ///< it is not
+    kOutside,   ///< the entity's origin is outside the box
     kAttached,  ///< the entity grips something, or is gripped
-    kReleased,  ///< it does not
+    kReleased,  ///< the entity neither grips nor is gripped
     kDebug      ///< the controller's debug value `key` is `value`
   };
-  /// Which end of a grip counts.
+  /// The end of a grip that counts.
   enum class End { kAny, kGripper, kGripped };
 
   std::string id;      ///< "" for none
-  std::string entity;  ///< an entity's id, or that of a distributed group: then for each of them
-  std::string engine;  ///< that takes it over
+  std::string entity;  ///< id of an entity or of a distributed group; a group stands for each of its entities
+  std::string engine;  ///< the new engine
   Condition condition = Condition::kInside;
   Eigen::Vector3d minimum = Eigen::Vector3d::Zero();  ///< of the box, in W, borders included [m]
   Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
@@ -192,8 +193,8 @@ struct HandoverDescription {
   SourceLocation location;
 };
 
-/// One `path=value` that replaces what the file says, such as "framework.maxclock=200" or
-/// "controllers.fc.parameters.wheels_speed=8" (elements by tag or, where they have one, by id).
+/// One `path=value` that replaces a value of the file, such as "framework.maxclock=200" or
+/// "controllers.fc.parameters.wheels_speed=8" (elements by tag, or by id if they have one).
 struct Override {
   std::string path;
   std::string value;
@@ -203,8 +204,8 @@ struct Experiment {
   std::string name;  ///< the file's name without folder and ending
   std::string file;
   std::string text;                 ///< the file as it was read, for recordings
-  std::vector<Override> overrides;  ///< that were applied to it
-  std::vector<std::string> files;   ///< that it was read from: its own, images
+  std::vector<Override> overrides;  ///< applied to it
+  std::vector<std::string> files;   ///< files that were read: the experiment file, images
   FrameworkDescription framework;
   std::vector<ControllerDescription> controllers;
   ArenaDescription arena;
@@ -215,11 +216,11 @@ struct Experiment {
   std::vector<VisualisationDescription> visualisations;
 };
 
-/// Reads and checks an experiment file, and loads the libraries it names.
-/// @throws ConfigError for the first mistake: file, line, what was found, what is allowed, the nearest right name
+/// Reads and checks an experiment file, and loads the libraries that it names.
+/// @throws ConfigError for the first mistake: file, line, found text, allowed values, the nearest valid name
 Experiment readExperiment(const std::string& file, const std::vector<Override>& overrides = {});
 
-/// The same from a text; `name` stands for the file in messages.
+/// The same for a text; `name` replaces the file in messages.
 Experiment parseExperiment(const std::string& text, const std::string& name,
                            const std::vector<Override>& overrides = {});
 
@@ -227,15 +228,15 @@ Experiment parseExperiment(const std::string& text, const std::string& name,
 /// @throws ConfigError if one is not installed
 void loadBuiltInPlugins();
 
-/// What readExperiment warned of since the last call, such as a controller_path that does not exist.
+/// Returns and clears the warnings of readExperiment, such as a controller_path that does not exist.
 std::vector<std::string> takeExperimentWarnings();
 
-/// Robots with a controller, in the order of the file. What a distribution makes is spelled out.
-/// @param source only those that are commanded so
+/// Robots with a controller, in the order of the file. Distributions are expanded.
+/// @param source if given, only robots with this command source
 std::vector<std::string> robotNames(const Experiment& experiment, std::optional<CommandSource> source = {});
 
-/// The robots that a parameter means: names, "all" alone, "none" alone.
-/// @throws ConfigError for one that is none
+/// The robots that a parameter selects: names, "all" alone, "none" alone.
+/// @throws ConfigError for an unknown robot
 std::vector<std::string> chooseRobots(const std::vector<std::string>& words, const std::string& parameter,
                                       const Experiment& experiment);
 

@@ -1,4 +1,4 @@
-/// From what a user types to an experiment file.
+/// Finds the experiment file that a user asks for.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace swarmanoid {
 
 /// The file itself if it exists, else the installed experiment of that name ("object_retrieval").
-/// @throws ConfigError naming the installed ones
+/// @throws ConfigError; the message lists the installed experiments
 std::string findExperiment(const std::string& file_or_name);
 
 /// Names of the installed experiments, sorted.

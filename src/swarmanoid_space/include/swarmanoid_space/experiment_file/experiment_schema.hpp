@@ -1,4 +1,4 @@
-/// XML schemas (XSD) of experiment files, made from the descriptions that the parser goes by.
+/// XML schemas (XSD) of experiment files, generated from the descriptions that the parser uses.
 #pragma once
 
 #include <map>
@@ -8,16 +8,16 @@
 
 namespace swarmanoid {
 
-/// What experiment files name in the attribute `library` of a plugin; "" or nothing where they need not.
+/// Value of the attribute `library` for each plugin; "" or no entry where none is needed.
 using PluginLibraries = std::map<const Registry::Entry*, std::string>;
 
-/// A schema of all that the parser accepts with the plugins that are loaded and the robots that are installed. Where a
-/// library must be named, the schema asks for it in each place; the parser does so only in the first.
+/// A schema of everything that the parser accepts with the loaded plugins and the installed robots. Where a library
+/// must be named, the schema requires it at each place; the parser requires it only at the first.
 std::string experimentSchema(const PluginLibraries& libraries = {});
 
-/// The same without robots of other packages: after loadBuiltInPlugins, with nothing else loaded, it does not depend on
-/// what else is installed. What the suite loads only where a file names it is loaded for it.
-/// @throws ConfigError if that cannot be loaded
+/// The same without robots of other packages. After loadBuiltInPlugins, with nothing else loaded, it does not depend on
+/// other installed packages. Loads plugins of the suite that are otherwise loaded only where a file names them.
+/// @throws ConfigError if one of them cannot be loaded
 std::string suiteSchema();
 
 }  // namespace swarmanoid

@@ -1,4 +1,4 @@
-/// "path=value" as it comes from command lines, launch arguments and parameters.
+/// "path=value" from command lines, launch arguments and parameters.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace swarmanoid {
 
-/// The one `path=value` in a text. @param option who gave it, for messages @throws ConfigError
+/// The one `path=value` in a text. @param option its source, for messages @throws ConfigError
 Override parseOverride(const std::string& text, const std::string& option);
 
-/// Several in one text, with blanks between them, as a launch argument has them. A value may hold blanks too, such as
-/// "arena.wall.size=1, 2, 2 framework.seed=3": it ends where the next word with a `=` begins.
-/// @param option who gave it, for messages @throws ConfigError
+/// Several `path=value` in one text, separated by blanks, as in a launch argument. A value may contain blanks too, such
+/// as "arena.wall.size=1, 2, 2 framework.seed=3": it ends where the next word with a `=` begins.
+/// @param option its source, for messages @throws ConfigError
 std::vector<Override> parseOverrides(const std::string& text, const std::string& option);
 
 }  // namespace swarmanoid

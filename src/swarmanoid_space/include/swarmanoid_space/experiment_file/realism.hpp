@@ -1,9 +1,9 @@
-/// Presets: how sensors, actuators and entities differ from ideal ones, as data of the installed packages.
+/// Presets: differences of sensors, actuators and entities from ideal ones, as data files of the installed packages.
 ///
-/// An experiment says `<realism>typical</realism>` in <framework>, in a controller or in a device, and each device that
-/// has a preset of that name gets what the preset holds: an implementation, values, errors. What the file itself says
-/// of a device goes first. What <framework> says holds for entities, too; of their presets, values of a battery
-/// (battery_...) count for robots that have one. The name "ideal" is always there, and means no preset.
+/// An experiment contains `<realism>typical</realism>` in <framework>, in a controller or in a device. Each device with
+/// a preset of that name gets the contents of the preset: an implementation, values, errors. Settings of the file
+/// itself take precedence. The preset of <framework> applies to entities, too; its battery values (battery_...) apply
+/// only to robots with a battery. The name "ideal" always exists, and means no preset.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace swarmanoid {
 
-/// What `ideal` is called, which is meant where nothing is said.
+/// The name of the default, no preset.
 constexpr const char* kIdealRealism = "ideal";
 
 struct RealismPreset {
@@ -21,7 +21,7 @@ struct RealismPreset {
   std::string device;                     ///< its type
   std::string name;                       ///< of the preset
   std::string source;                     ///< where its numbers are from
-  /// As an experiment file would say it in the device: one element a line, no line break at the end.
+  /// The contents, as in the device's element of an experiment file: one element a line, no line break at the end.
   std::string content;
   std::string file;
 };
@@ -30,7 +30,7 @@ struct RealismPreset {
 /// @throws ConfigError for the first mistake in a file of presets
 std::vector<RealismPreset> realismPresets();
 
-/// kIdealRealism, then the names of presets, sorted. Files with mistakes do not count. Thread-safe.
+/// kIdealRealism, then the names of presets, sorted. Invalid files are skipped. Thread-safe.
 const std::vector<std::string>& realismNames();
 
 }  // namespace swarmanoid

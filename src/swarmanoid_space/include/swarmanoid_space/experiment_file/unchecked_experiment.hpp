@@ -1,6 +1,6 @@
-/// What can be checked of an experiment file without running code of others.
+/// Checks of an experiment file without running code of others.
 ///
-/// An experiment file is code: reading it loads the libraries that it names, and loading a library runs what is in it.
+/// An experiment file is code: reading it loads the libraries that it names, and loading a library runs its code.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ namespace swarmanoid {
 
 struct UncheckedExperiment {
   Experiment experiment;
-  std::vector<std::string> libraries;  ///< that the file names and that are not loaded
+  std::vector<std::string> libraries;  ///< named by the file and not loaded
 };
 
-/// As readExperiment, but loads no library. Structure, numbers, ids and all that the suite itself has are checked; of
-/// what libraries bring, the parameters are not.
+/// Same as readExperiment, but loads no library. Checks structure, numbers, ids and everything that belongs to the
+/// suite itself; does not check parameters of plugins from libraries.
 /// @throws ConfigError
 UncheckedExperiment readWithoutLibraries(const std::string& file, const std::vector<Override>& overrides = {});
 

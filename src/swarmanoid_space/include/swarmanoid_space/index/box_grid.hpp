@@ -1,8 +1,8 @@
-/// Which boxes that stay where they are, such as walls, are near a place: a grid of wide cells over the arena, each
-/// with a list of the boxes that meet it.
+/// A look-up of static boxes, such as walls, near a position: a grid of wide cells over the arena, each with a list of
+/// the boxes that overlap it.
 ///
-/// A look-up costs what is near, however many walls a maze has. What is outside the arena is kept in the border cells.
-/// Threads: const functions may run at once.
+/// The cost of a look-up depends on the number of boxes near it, not on the number of walls. Boxes outside the arena
+/// are in the border cells. Threads: const functions may run concurrently.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,12 +16,12 @@ namespace swarmanoid {
 
 class BoxGrid {
  public:
-  /// A grid that is not configured has one cell. @param corner of the area, with its least coordinates [m] @param size
-  /// of the area from there [m]
+  /// An unconfigured grid has one cell. @param corner of the area, with its least coordinates [m]
+  /// @param size of the area from there [m]
   void configure(const Eigen::Vector2d& corner, const Eigen::Vector2d& size);
   void clear();
 
-  /// @param item its number, from 0; what it was added with before is forgotten
+  /// Adds an item or replaces its box. @param item its number, from 0
   void set(std::int32_t item, const Eigen::AlignedBox2d& bounds);
   void remove(std::int32_t item);
 
@@ -36,8 +36,8 @@ class BoxGrid {
     return entries_[static_cast<std::size_t>(entry_of_item_[static_cast<std::size_t>(item)])].bounds;
   }
 
-  /// Calls visit(item) once for all whose box is within `radius` of `centre`, until it returns false. @return whether
-  /// it never did
+  /// Calls visit(item) once for each box within `radius` of `centre`, until it returns false.
+  /// @return whether no call returned false
   template <class Visit>
   bool visitNear(const Eigen::Vector2d& centre, double radius, Visit visit) const {
     if (entries_.empty()) {
@@ -49,14 +49,14 @@ class BoxGrid {
     const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius);
     const Cells cells = cellsOf({centre - reach, centre + reach});
     const int cell_count = (cells.high_column - cells.low_column + 1) * (cells.high_line - cells.low_line + 1);
-    if (static_cast<int>(entries_.size()) < cell_count) {  // such as the walls of an arena, looked for far around
+    if (static_cast<int>(entries_.size()) < cell_count) {  // such as the few walls of an arena in a large search area
       return std::all_of(entries_.begin(), entries_.end(), visitIfNear);
     }
     for (int line = cells.low_line; line <= cells.high_line; ++line) {
       for (int column = cells.low_column; column <= cells.high_column; ++column) {
         for (const std::int32_t number : cells_[layout_.cell(column, line)]) {
           const Entry& entry = entries_[static_cast<std::size_t>(number)];
-          // of the cells that it shares with the place, it counts in the first
+          // an entry in several cells counts only in the first of the cells that it shares with the search area
           const bool is_first = column == std::max(cells.low_column, entry.cells.low_column) &&
                                 line == std::max(cells.low_line, entry.cells.low_line);
           if (is_first && !visitIfNear(entry)) {
@@ -92,7 +92,7 @@ class BoxGrid {
 
   CellLayout layout_;
   std::vector<Entry> entries_;
-  std::vector<std::int32_t> entry_of_item_;          // by item; kNone: it has none
+  std::vector<std::int32_t> entry_of_item_;          // by item; kNone: not in the grid
   std::vector<std::vector<std::int32_t>> cells_{1};  // entries
 };
 

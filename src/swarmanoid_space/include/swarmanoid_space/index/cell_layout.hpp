@@ -1,4 +1,4 @@
-/// How an area is cut into square cells, for grids over it. What is outside the area belongs to the border cells.
+/// A partition of an area into square cells, for grids over it. Positions outside the area belong to the border cells.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace swarmanoid {
 
-/// The cell of a coordinate in widths of cells, of `count` from 0 on; written so that NaN ends in cell 0.
+/// Index from 0 to count - 1 of the cell at a coordinate in cell widths, clamped; NaN gives cell 0.
 inline int clampedCell(double cell, int count) {
   return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
 }
@@ -18,7 +18,7 @@ class CellLayout {
   /// One cell.
   CellLayout() = default;
   /// @param corner of the area, with its least coordinates [m] @param size of the area from there [m]
-  /// @param smallest side of a cell [m], which is longer where there would be more than `most_per_axis`
+  /// @param smallest side of a cell [m]; larger if there would be more than `most_per_axis` cells along an axis
   CellLayout(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, double smallest, double most_per_axis)
       : corner_(corner) {
     const double side = std::max(smallest, size.maxCoeff() / most_per_axis);
@@ -27,10 +27,10 @@ class CellLayout {
     lines_ = std::max(1, static_cast<int>(std::ceil(size.y() / side)));
   }
 
-  /// Of a coordinate [m].
+  /// Index of the column at a coordinate [m].
   int column(double x) const { return clampedCell((x - corner_.x()) * inverse_side_, columns_); }
   int line(double y) const { return clampedCell((y - corner_.y()) * inverse_side_, lines_); }
-  /// From 0 to count() - 1, line by line.
+  /// Index from 0 to count() - 1, line by line.
   std::size_t cell(int column, int line) const {
     return static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }

@@ -1,4 +1,4 @@
-/// The questions to the positional index that take a function, for those who ask them: see positional_index.hpp.
+/// Queries of the positional index that take a visitor; see positional_index.hpp.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace swarmanoid {
 template <class Visit>
 void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, const Eigen::Vector3d& reach, Visit visit) const {
   refresh();
-  constexpr double kRounding = 1e-9;  // m: the cells must hold all that Outline::meets accepts
+  constexpr double kRounding = 1e-9;  // m: the cells must contain everything that Outline::meets accepts
   const Eigen::Vector3d half = (reach.array() + (largest_small_radius_ + kRounding)).matrix();
   const Cell low = cellOf(centre - half);
   const Cell high = cellOf(centre + half);
@@ -79,7 +79,7 @@ void PositionalIndex::visitPairs(const Entities& entities, double distance, IsLa
       }
     });
   }
-  const bool is_flat = cells_[2] == 1;  // then heights need not be looked up
+  const bool is_flat = cells_[2] == 1;  // heights need not be looked up then
   for (Place place = 0; place < items_.size(); ++place) {
     const Outline& one = items_[place];
     const double height = is_flat ? 0.0 : entities.pose[one.row].position.z();
@@ -91,7 +91,7 @@ void PositionalIndex::visitPairs(const Entities& entities, double distance, IsLa
 template <class Visit>
 void PositionalIndex::visitLaterNear(const Cell& cell, Place place, double distance, Visit visit) const {
   constexpr double kRounding = 1e-9;  // m
-  // cells of what has left the arena are nearer to each other than it is: none is farther than this
+  // entities outside the arena are in border cells, which are never farther apart than the entities
   const int reach = static_cast<int>(std::min(std::ceil((distance + kRounding) * inverse_cell_size_), 1e6));
   const int left = std::max(cell[0] - reach, 0);
   const int right = std::min(cell[0] + reach, cells_[0] - 1);
@@ -101,7 +101,7 @@ void PositionalIndex::visitLaterNear(const Cell& cell, Place place, double dista
     const bool is_own_layer = z == cell[2];
     for (int y = is_own_layer ? cell[1] : std::max(cell[1] - reach, 0); y <= std::min(cell[1] + reach, cells_[1] - 1);
          ++y) {
-      // cells of one line are neighbours in memory; in its own line, who comes before has had this pair
+      // cells of one line are neighbours in memory; in the own line, earlier places have already visited this pair
       const Place first = is_own_layer && y == cell[1] ? place + 1 : first_item_[flat({left, y, z})];
       const Place last = first_item_[flat({right, y, z}) + 1];
       for (Place other = first; other < last; ++other) {

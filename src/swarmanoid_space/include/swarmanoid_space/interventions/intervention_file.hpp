@@ -1,9 +1,9 @@
-/// Interventions in files: what was done to a run from outside, written down so that it can be done to another one.
-/// docs/reference/intervention_file.md has the grammar.
+/// Files of interventions: the interventions of one run, stored so that they can be applied to another one. The grammar
+/// is in docs/reference/intervention_file.md.
 ///
-/// Bits    what is written is read back to the same bits: numbers with as many digits as they need, the angles of what
-///         is spawned in radians, the orientation of what is moved as a quaternion.
-/// Errors  as of experiment files: file, line, what was found, what is allowed, the nearest right name.
+/// Bits    a file restores the same bits: numbers have as many digits as needed, angles of spawned entities are in
+///         radians, orientations of moved entities are quaternions.
+/// Errors  the same as for experiment files: file, line, found text, allowed values, the nearest valid name.
 #pragma once
 
 #include <cstdint>
@@ -23,32 +23,32 @@ struct RecordedIntervention {
 /// A file of interventions, read and checked.
 struct InterventionFile {
   std::string file;
-  std::string experiment;  ///< the name of that which they were done to; "": it is not said
-  std::string seed;        ///< and its seed; "": it is not said
-  /// In the order in which they are carried out: ticks do not descend, and in a tick those after the rules come last.
+  std::string experiment;  ///< name of the original experiment; "": not given
+  std::string seed;        ///< seed of the original run; "": not given
+  /// In the order of execution: ticks do not descend, and in a tick those after the rules come last.
   std::vector<RecordedIntervention> interventions;
 };
 
-/// @param experiment which they are to be done to: its engines, controllers and arena are what can be meant
+/// @param experiment to which they will be applied; they may refer to its engines, controllers and arena
 /// @throws ConfigError for the first mistake
 InterventionFile readInterventions(const std::string& file, const Experiment& experiment);
-/// The same; `name` stands for the file in messages about what is in it.
+/// The same; `name` replaces the file in messages about its contents.
 InterventionFile readInterventions(const std::string& file, const std::string& name, const Experiment& experiment);
-/// The same from a text; `name` stands for the file in messages.
+/// The same for a text; `name` replaces the file in messages.
 InterventionFile parseInterventions(const std::string& text, const std::string& name, const Experiment& experiment);
 
-/// Whether the experiment has the rule that asked for it. @param asked_by as TakenIntervention has it; its label does
-/// not count
+/// Whether the experiment has the rule that requested an intervention. @param asked_by as in TakenIntervention; the
+/// label of the rule is ignored
 bool hasRule(const Experiment& experiment, const std::string& asked_by);
 
 /// The tag of an intervention: "spawn", "delete", "move", "handover", "engine_parameters", "command_source",
 /// "property", "paint", "fault".
 const char* kindOf(const Intervention& intervention);
 
-/// As an element, in lines. @param depth by how many levels it is indented
+/// The XML element, in lines. @param depth levels of indentation
 std::string toXml(const TakenIntervention& taken, int depth = 0);
 
-/// What stands before the elements of a file, and what behind them.
+/// The beginning and the end of a file, around its elements.
 std::string interventionsBegin(const std::string& experiment, std::uint64_t seed);
 std::string interventionsEnd();
 

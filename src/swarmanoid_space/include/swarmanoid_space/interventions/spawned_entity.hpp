@@ -1,4 +1,4 @@
-/// An entity that is asked for by names and values instead of by a file: what messages and Python bring.
+/// An entity described by names and values instead of by a file, as in messages and Python calls.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,12 @@ struct AskedEntity {
   std::string name;
   std::string controller;  ///< id; "": none
   Pose pose;               ///< in W
-  NamedValues values;      ///< of the type, as they would stand in the experiment file, each once
+  NamedValues values;      ///< of the type, written as in the experiment file, each once
   std::optional<Color> color;
 };
 
-/// As a file would describe it, with defaults for all that is not given. What is wrong with it the space says: only
-/// the colour is read here. @throws ConfigError for a colour that is none
+/// Converts it to a description as from a file, with defaults for missing values. Checks only the colour; the space
+/// checks the rest. @throws ConfigError for an invalid colour
 EntityDescription describeEntity(const AskedEntity& asked);
 
 }  // namespace swarmanoid

@@ -1,5 +1,5 @@
-/// What a robot's controller sees and does, as the bytes of frames (swarmanoid_interface/frames.hpp): for those who
-/// carry it to another process, or record it.
+/// Readings and commands of a robot's controller as bytes of frames (swarmanoid_interface/frames.hpp), for transmission
+/// to another process or for recording.
 #pragma once
 
 #include "swarmanoid_interface/byte_stream.hpp"
@@ -8,7 +8,7 @@
 
 namespace swarmanoid {
 
-/// @throws std::runtime_error for a device that cannot travel
+/// @throws std::runtime_error for a device that cannot be transmitted
 RemoteRobot describeRobot(const Robot& robot, const ControllerDescription& controller);
 
 /// The readings of a robot in this tick, a block for each sensor.

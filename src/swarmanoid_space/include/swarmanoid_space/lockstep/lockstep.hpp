@@ -1,13 +1,13 @@
-/// Lockstep with participants: processes that run controllers for a space. Each tick every participant gets one sensor
-/// frame and gives one command frame; the tick waits for it. No ROS here: whoever carries the frames passes a function
-/// that sends them, and calls `answer` with what comes back.
+/// Lockstep with participants: processes that run controllers for a space. In each tick every participant gets one
+/// sensor frame and returns one command frame; the tick waits for it. No ROS here: the carrier of the frames passes a
+/// function that sends them, and calls `answer` with the replies.
 ///
-/// Results do not depend on when an answer comes, or in which order: with equal answers a run has the bits of one whose
-/// controllers are in process.
+/// Results do not depend on the time or order of answers: with equal answers a run is bit for bit that of controllers
+/// in the simulator's process.
 ///
 /// Time     time-outs are wall time; nothing here needs simulated time to advance.
-/// Threads  join, answer, wake, cancel, reports: any thread. The rest: the space's. A Send is called on the space's
-///          thread, without locks, and may answer at once.
+/// Threads  join, answer, wake, cancel, reports: any thread. All other functions: the space's thread. A Send is called
+///          on the space's thread, without locks, and may answer at once.
 #pragma once
 
 #include <chrono>
@@ -27,16 +27,17 @@ namespace swarmanoid {
 
 struct RobotInstance;
 
-/// What becomes of a tick when a participant is late.
+/// Behaviour of a tick when a participant is late.
 enum class LatePolicy {
-  kWait,  ///< it waits on, as long as it takes
-  kSkip,  ///< it goes on: the robots keep their last commands, and no tick waits for the participant until it answers
-  kStop   ///< the run stops
+  kWait,  ///< the tick waits without limit
+  /// The tick continues: robots keep their last commands, and no tick waits for the participant until it answers.
+  kSkip,
+  kStop  ///< the run stops
 };
 
 /// "wait", "skip", "stop".
 const char* toString(LatePolicy policy);
-/// @return nothing if it is none
+/// @return nothing if the text is none of these
 std::optional<LatePolicy> parseLatePolicy(const std::string& text);
 
 class Lockstep {
@@ -52,56 +53,57 @@ class Lockstep {
   };
 
   struct Request {
-    std::string participant;           ///< its name; a participant that joins again under it replaces its former self
-    std::vector<std::string> robots;   ///< that it commands, at least one
-    std::optional<LatePolicy> policy;  ///< instead of the space's
-    std::optional<Seconds> timeout;    ///< likewise
+    std::string participant;           ///< its name; a new registration under the same name replaces the old one
+    std::vector<std::string> robots;   ///< robots that it commands, at least one
+    std::optional<LatePolicy> policy;  ///< replaces Options::policy
+    std::optional<Seconds> timeout;    ///< replaces Options::timeout
   };
 
-  /// The state of a participant, for diagnostics. One without a name stands for robots without a participant.
+  /// The state of a participant, for diagnostics. An entry without a name stands for robots without a participant.
   struct Report {
     std::string participant;
     std::vector<std::string> robots;
     bool is_late = false;
     std::uint64_t answers = 0;
     std::uint64_t times_late = 0;
-    std::uint64_t refused = 0;  ///< answers for a wrong tick, doubled, or of a former self
+    std::uint64_t refused = 0;  ///< answers for a wrong tick or duplicates, also of its earlier registrations
   };
 
-  // For the carrier.
+  // Functions for the carrier.
 
-  /// From the next frame on the participant commands these robots. Another participant that is late with one of them
-  /// is dropped.
-  /// @throws std::runtime_error for a robot that is not commanded from elsewhere, or by another participant that is not
+  /// Registers a participant; it commands these robots from the next frame on. Drops another participant that commands
+  /// one of them and is late.
+  /// @throws std::runtime_error for a robot that is not commanded from another process, or whose participant is not
   /// late; then nothing has changed
   Registration join(const Request& request, Send send);
-  /// The answer to a frame. One that no tick waits for is refused, and reported once for each participant.
-  /// @return why it is refused; "" if it is not
+  /// Receives the answer to a frame. An answer that no tick waits for is refused; the first refusal of each participant
+  /// is reported.
+  /// @return the reason of the refusal; "" if it is accepted
   std::string answer(CommandFrame frame);
   std::vector<Report> reports() const;
 
-  // For the simulation.
+  // Functions for the simulation.
 
   void setOptions(const Options& options);
-  /// Between ticks, whenever robots, their devices or their commanders have changed.
+  /// Sets the robots that participants may command. Called between ticks, after robots, their devices or their command
+  /// sources have changed.
   /// @param robots with their indices in the RobotInstances of the simulation
   void offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& robots, const Space& space);
-  /// Sends the readings to all participants, waits for their answers, and makes these the commands of the robots.
+  /// Sends the readings to all participants, waits for their answers, and applies them as commands of the robots.
   ///
   /// An intervention that is requested meanwhile need not wait for a participant that is late or never registers: the
-  /// tick is given up, and made again after the intervention. Each participant gets one sensor frame a tick; the
-  /// command frame that answers a frame from before the tick was given up is valid, although it is based on the
-  /// readings of that time.
+  /// tick is given up, and made again after the intervention. Each participant gets one sensor frame a tick. Its answer
+  /// to a frame from before the interruption stays valid, although it is based on the readings of that time.
   ///
-  /// @param events gets what is reported of participants
-  /// @param is_disturbed asked before each wait, see `wake`; may be empty
-  /// @return false: it was disturbed, nothing has changed, call it again for the same tick
+  /// @param events receives the reports about participants
+  /// @param is_disturbed called before each wait, see `wake`; may be empty
+  /// @return false: it was disturbed and nothing has changed; call it again for the same tick
   /// @throws std::runtime_error naming the participant that is late, by LatePolicy::kStop, or if it is cancelled
   bool exchange(Space& space, std::vector<RobotInstance>& instances, std::vector<Event>& events,
                 const Robot::LogSink& log, const Disturbed& is_disturbed);
-  /// A waiting `exchange` asks again whether it is disturbed. From any thread.
+  /// Makes a waiting `exchange` call `is_disturbed` again. From any thread.
   void wake();
-  /// `exchange` waits no more, now and later.
+  /// Ends the wait of `exchange`, now and in later calls.
   void cancel();
 
  private:
@@ -116,20 +118,20 @@ class Lockstep {
   struct Participant {
     std::string name;
     std::vector<RemoteRobot> robots;
-    std::vector<std::size_t> instances;  // of the robots; kNoInstance: not to be commanded now
+    std::vector<std::size_t> instances;  // of the robots; kNoInstance: not commanded now
     Send send;
     LatePolicy policy = LatePolicy::kWait;
     Seconds timeout{1.0};
-    SensorFrame frame;             // the last one, filled on the space's thread
-    std::vector<bool> is_present;  // of the robots, in that frame
+    SensorFrame frame;             // the last frame, filled on the space's thread
+    std::vector<bool> is_present;  // of the robots, in `frame`
     CommandFrame answer;
     Clock::time_point sent;
-    bool is_asked = false;     // this tick
-    bool is_answered = false;  // this tick
-    bool is_late = false;      // and that was reported
-    bool is_new = true;        // since it joined no frame was made for it
-    bool needs_frame = true;   // this tick's
-    bool has_applied = false;  // since it joined its robots have had commands of it
+    bool is_asked = false;     // in this tick
+    bool is_answered = false;  // in this tick
+    bool is_late = false;      // already reported as late
+    bool is_new = true;        // no frame was made for it since it joined
+    bool needs_frame = true;   // for this tick
+    bool has_applied = false;  // its commands were applied since it joined
     std::uint64_t answers = 0;
     std::uint64_t times_late = 0;
     std::uint64_t refused = 0;
@@ -143,17 +145,18 @@ class Lockstep {
 
   void resolve(Participant& participant);
   void markCommanded();
-  /// Drops its former self, and a late participant that has a robot of it. @return whether there was a former self
+  /// Drops its previous registration, and late participants that command one of its robots. @return whether there was a
+  /// previous registration
   bool replace(Participant& joined);
   void ask(Participant& participant, const Space& space, const std::vector<RobotInstance>& instances);
-  /// @return those to whom a frame is to be sent
+  /// @return participants to which a frame must be sent
   std::vector<std::shared_ptr<Participant>> askAll(const Space& space, const std::vector<RobotInstance>& instances);
-  /// No tick waits for a participant that was asked for robots which it commands no more.
+  /// Stops the wait for participants that no longer command any of the robots in their frame.
   void forgetWhoHasGone(const std::vector<RobotInstance>& instances);
   void startWaiting(const Space& space);
   void finishWaiting(const Space& space);
   bool isDone() const;
-  /// For its next answer: connections take their time before the first.
+  /// Time-out of its next answer: before the first one, connections need more time.
   Seconds timeoutOf(const Participant& participant) const;
   bool isAnybodyUnassigned() const;
   std::vector<std::string> unassignedRobots() const;
@@ -164,19 +167,19 @@ class Lockstep {
   static bool isCommandable(std::size_t instance, const std::vector<RobotInstance>& instances);
   static void apply(const Participant& participant, Space& space, std::vector<RobotInstance>& instances);
 
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards all following members
   std::condition_variable changed_;
   Options options_;
   std::vector<Offered> offered_;
   std::vector<std::shared_ptr<Participant>> participants_;  // by name
-  std::vector<Notice> notices_;                             // to be reported on the space's thread
+  std::vector<Notice> notices_;                             // reported later on the space's thread
   std::string stop_reason_;
   std::uint64_t last_session_ = 0;
   std::uint64_t run_ = 0;
   std::uint64_t tick_ = 0;
   std::uint64_t seed_ = 1;
   Duration clocktick_{};
-  Clock::time_point started_;  // this tick's waiting, without the time since it was given up
+  Clock::time_point started_;  // start of this tick's wait, shifted by the time for which it was given up
   std::optional<Clock::time_point> given_up_;
   bool unassigned_reported_ = false;  // robots without a participant
   bool is_cancelled_ = false;

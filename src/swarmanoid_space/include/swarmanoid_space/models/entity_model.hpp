@@ -1,8 +1,7 @@
-/// What an entity of one type is made of: shapes, height, joints, wheels, gripper, mounts. Shared by all entities of
-/// that type.
+/// The model of an entity type: shapes, height, joints, wheels, gripper, mounts. Shared by all entities of that type.
 ///
-/// Robots' models come from their URDF, which packages bring, those of blocks and preys from the experiment file.
-/// Frames: everything is in the body frame B: x ahead, y left, z up, origin where the entity's pose is (REP-103). A
+/// Models of robots come from their URDF, which packages provide; those of blocks and preys come from the experiment
+/// file. Frames: everything is in the body frame B: x ahead, y left, z up, origin at the entity's pose (REP-103). A
 /// robot's origin is on the ground under its centre, a prey's at the centre of its lower face, a block's at its centre.
 #pragma once
 
@@ -31,32 +30,32 @@ struct CollisionShape {
   Eigen::Vector3d half_extent = Eigen::Vector3d::Zero();  ///< cylinder: radius, radius, half height; sphere: radius [m]
   Eigen::Vector3d position = Eigen::Vector3d::Zero();     ///< of the shape's centre [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  int joint = -1;  ///< of whose link it is part, as an index of EntityModel::joints; -1: of the body
+  int joint = -1;  ///< the shape belongs to the link of this joint, an index of EntityModel::joints; -1: to the body
 
-  /// How far the shape reaches from its centre, in a direction and against it alike [m].
+  /// Half extent of the shape along a direction [m]; the same in both senses.
   /// @param direction of length 1, in the frame of `position` and `orientation`
   double reachAlong(const Eigen::Vector3d& direction) const;
 };
 
-/// A place on the body where a device sits.
+/// A frame on the body at which a device is mounted.
 struct Mount {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  int joint = -1;  ///< that turns it, as an index of EntityModel::joints; -1: none
+  int joint = -1;  ///< joint that turns it, an index of EntityModel::joints; -1: none
 };
 
-/// How a part resists to being moved.
+/// The inertial properties of a part.
 struct Inertial {
   double mass = 0.0;                                         ///< [kg]
   Eigen::Vector3d centre_of_mass = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();         ///< about the centre of mass, along body axes [kg m2]
 
-  /// Joins another part to this one.
+  /// Adds another part to this one.
   void add(const Inertial& part);
 };
 
 struct EntityModel {
-  static constexpr std::size_t kMaxLeds = 64;  ///< as many as cameras look at
+  static constexpr std::size_t kMaxLeds = 64;  ///< as many as cameras examine
 
   std::string type;   ///< the tag in `<arena>`: "footbot", "block", ...
   std::string title;  ///< in the text table (thesis figure 3.11): "Footbot", "Block", ...; one word
@@ -64,49 +63,52 @@ struct EntityModel {
   std::vector<CollisionShape> shapes;
   double lowest = 0.0;             ///< of the shapes, along body z [m]
   double highest = 0.0;            ///< of the shapes, along body z [m]
-  double bounding_radius = 0.0;    ///< of a sphere around the body's origin that holds all shapes [m]
-  double horizontal_radius = 0.0;  ///< of a circle around body z that holds all shapes seen from above [m]
-  // These four are with all joints at zero. What a joint turns may leave them, but not the sphere of:
-  double moving_reach = 0.0;        ///< around the body's origin, it holds all shapes whatever the joints do [m]
-  bool joints_keep_outline = true;  ///< joints turn shapes about body z only, as turrets: within the four
+  double bounding_radius = 0.0;    ///< of a sphere around the body's origin that contains all shapes [m]
+  double horizontal_radius = 0.0;  ///< of a circle around body z that contains all shapes seen from above [m]
+  // These four are with all joints at zero. Shapes that joints turn may leave them, but stay in the sphere of
+  // `moving_reach`.
+  /// Radius of a sphere around the body's origin that contains all shapes for any joint angles [m].
+  double moving_reach = 0.0;
+  /// Joints turn shapes about body z only, like turrets, so shapes stay within the four.
+  bool joints_keep_outline = true;
 
-  /// An upright cylinder about body z that holds a shape, also while joints turn it about body z.
+  /// An upright cylinder about body z that contains a shape, even while joints turn it about body z.
   struct Silhouette {
     double radius = 0.0;    ///< [m]
     double low = 0.0;       ///< along body z [m]
-    double high = 0.0;      ///< likewise
-    bool is_whole = false;  ///< the shape is all of that cylinder
+    double high = 0.0;      ///< along body z [m]
+    bool is_whole = false;  ///< the shape fills the cylinder completely
   };
   std::vector<Silhouette> silhouettes;  ///< of the shapes
 
-  // How it resists as a whole, with all joints at zero; of no meaning to engines without forces, and for what is not
-  // movable.
+  // Inertial properties of the whole entity, with all joints at zero. Unused by engines without forces, and for
+  // entities that are not movable.
   double mass = 0.0;                                         ///< [kg]
   Eigen::Vector3d centre_of_mass = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();         ///< about the centre of mass, along body axes [kg m2]
 
   bool is_robot = false;
   bool is_movable = false;                ///< may be moved by an engine
-  bool is_ferromagnetic = false;          ///< magnets hold on it
-  double origin_height = 0.0;             ///< of the body's origin over what it stands on [m]
-  std::optional<double> gripping_radius;  ///< there is a gripping strip, at this distance around body z [m]
+  bool is_ferromagnetic = false;          ///< magnets attach to it
+  double origin_height = 0.0;             ///< of the body's origin above the surface on which it stands [m]
+  std::optional<double> gripping_radius;  ///< radius of the gripping strip around body z [m]; nothing: no strip
 
-  /// A joint that turns a link, with all that hangs on it, against what carries it. Wheels are not among them.
+  /// A joint that turns a link, with everything attached to it, relative to its carrier. Wheels are not joints.
   struct Joint {
     std::string name;  ///< of the joint in the URDF
-    std::string link;  ///< that it turns
+    std::string link;  ///< the link that it turns
     int carrier = -1;  ///< the joint whose link carries this one; -1: the body does
-    // All places with all joints at zero, in the body frame.
+    // All frames with all joints at zero, in the body frame.
     Mount frame;                                      ///< of the link; the joint is at its origin
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< positive turns are right-handed about it
-    double lower = 0.0;                               ///< [rad]; -infinity if it turns without end
-    double upper = 0.0;                               ///< [rad]; infinity if it turns without end
+    double lower = 0.0;                               ///< [rad]; -infinity for a continuous joint
+    double upper = 0.0;                               ///< [rad]; infinity for a continuous joint
     double max_speed = 0.0;                           ///< [rad/s]
     double max_effort = 0.0;                          ///< [N m]
-    Inertial part;                                    ///< of the link and what is fixed to it
+    Inertial part;                                    ///< of the link and everything fixed to it
   };
-  std::vector<Joint> joints;  ///< carriers before what they carry
-  Inertial body_part;         ///< what no joint turns
+  std::vector<Joint> joints;  ///< carriers first
+  Inertial body_part;         ///< of all parts that no joint turns
 
   /// @return the index of a joint; -1 if there is none of that name
   int findJoint(const std::string& name) const;
@@ -117,23 +119,23 @@ struct EntityModel {
     double separation = 0.0;  ///< between the wheels' middles [m]
     double max_speed = 0.0;   ///< angular velocity [rad/s]
     std::string left_joint;   ///< name of the joint in the URDF
-    std::string right_joint;  ///< likewise
+    std::string right_joint;  ///< of the right wheel
   };
   std::optional<Wheels> wheels;
 
-  /// A part that holds on to other entities.
+  /// A part that attaches to other entities.
   struct Holder {
     enum class Kind {
-      kGripper,  ///< closes on gripping strips; what it holds stands in the structural tree
-      kSuction,  ///< holds on to any surface
-      kMagnet,   ///< holds on to what is ferromagnetic
+      kGripper,  ///< closes on gripping strips; the gripped entity is in the structural tree
+      kSuction,  ///< attaches to any surface
+      kMagnet,   ///< attaches to ferromagnetic entities
       kRope      ///< a magnet at the end of a rope, which is shot along x of the mount's frame, and wound by a winch
     };
 
-    std::string name;  ///< "gripper", "left hand": as messages and recordings call it
+    std::string name;  ///< "gripper", "left hand": used in messages and recordings
     Kind kind = Kind::kGripper;
-    std::string mount;         ///< of its tip or surface, or of where its rope leaves the robot
-    double rope_length = 0.0;  ///< of a rope: what is on the winch [m]
+    std::string mount;         ///< of its tip or surface, or of the point where its rope leaves the robot
+    double rope_length = 0.0;  ///< total length of a rope [m]
   };
   std::vector<Holder> holders;
   /// @return the index of a holder; -1 if there is none of that name
@@ -146,48 +148,48 @@ struct EntityModel {
   };
   std::optional<Gripper> gripper;
 
-  /// @return what the model lacks of a mechanism, in words: "wheels", "joint 'turret'"; "" if it has it
+  /// @return the part that the model lacks for a mechanism: "wheels", "joint 'turret'"; "" if it has it
   std::string missingPart(const Mechanism& mechanism) const;
 
   std::map<std::string, Mount, std::less<>> mounts;  ///< URDF frames by link name, relative to the body
   std::vector<Eigen::Vector3d>
       led_positions;  ///< LED 0 first; the points, at most kMaxLeds, at which cameras see colour [m]
-  /// What holds all LEDs.
+  /// Bounds of all LEDs.
   struct LedBounds {
     std::size_t count = 0;  ///< of LEDs
     double lowest = 0.0;    ///< along body z [m]
-    double highest = 0.0;   ///< likewise
+    double highest = 0.0;   ///< along body z [m]
     double radius = 0.0;    ///< of a circle around body z, seen from above [m]
   };
   LedBounds led_bounds;
 
-  /// A number that the entity has beside its body: what it gives, what it is loaded with. Sensors read it, rules change
-  /// it (SetProperty), the state hash has it.
+  /// A number that an entity has in addition to its body, such as an intensity or a charge. Sensors read it, rules
+  /// change it (SetProperty), the state hash includes it.
   struct Property {
-    std::string name;         ///< as experiment files name parameters: "intensity"; not "color", which is no number
+    std::string name;         ///< as experiment files name parameters: "intensity"; not "color", which is not a number
     std::string unit;         ///< "W", "" for none
     std::string description;  ///< one sentence
-    Range range;              ///< outside of it nothing is taken
-    double initial = 0.0;     ///< when the entity comes into the space
+    Range range;              ///< values outside are refused
+    double initial = 0.0;     ///< value when the entity is added to the space
   };
   std::vector<Property> properties;
   /// @return the index of a property; -1 if there is none of that name
   int findProperty(std::string_view name) const;
 
-  /// Whether cameras see a colour of its own (Entities::color) at the points where a robot's LEDs would be.
+  /// Whether cameras see the entity's own colour (Entities::color) at the points where a robot has LEDs.
   bool hasColor() const { return !is_robot && !led_positions.empty(); }
 
-  std::optional<BatteryModel> possible_battery;  ///< that a robot has if the experiment says so
-  std::optional<BatteryModel> battery;           ///< that it has; nothing: it runs for ever
+  std::optional<BatteryModel> possible_battery;  ///< of a robot if the experiment gives it one
+  std::optional<BatteryModel> battery;           ///< nothing: the robot never runs out of energy
 
-  std::vector<std::string> devices;  ///< device types that the description of a robot lists
+  std::vector<std::string> devices;  ///< device types that the robot's description lists
   std::string urdf;                  ///< the whole URDF text; empty if there is none
 
-  /// Fills `lowest`, `highest`, the two radii and what follows them, with `silhouettes`, from `shapes` and `joints`,
-  /// and `led_bounds` from `led_positions`.
+  /// Computes `lowest`, `highest`, the two radii and the following members, and `silhouettes`, from `shapes` and
+  /// `joints`, and `led_bounds` from `led_positions`.
   void measureShapes();
 
-  /// Joins a part to what the model weighs so far.
+  /// Adds a part to the inertial properties of the model.
   void addMass(const Inertial& part);
 
   /// @throws std::out_of_range naming the mount and the type
@@ -198,29 +200,30 @@ struct EntityModel {
   void measureLeds();
 };
 
-/// Reads a robot's URDF. The root link is `base_link`, the body frame. Links' collision elements (boxes, cylinders,
+/// Reads a robot's URDF. The root link is `base_link`, the body frame. Collision elements of links (boxes, cylinders,
 /// spheres) become shapes, all links become mounts, both placed with all joints at zero. Revolute and continuous joints
-/// become joints. The element <swarmanoid> below <robot> says which joints are wheels (continuous, axis y, with a limit
-/// of velocity; their child links' widest cylinder is the wheel), which links are holders, LEDs (`led_0`, `led_1`, ...,
-/// at most EntityModel::kMaxLeds) or a gripping strip (it is not a shape), and which devices of others it carries.
-/// @throws ConfigError naming the file and what is wrong, also for what urdfdom only prints
+/// become joints. The element <swarmanoid> below <robot> states which joints are wheels (continuous, axis y, with a
+/// velocity limit; the widest cylinder of their child link is the wheel), which links are holders, LEDs (`led_0`,
+/// `led_1`, ..., at most EntityModel::kMaxLeds) or a gripping strip (it is not a shape), and which devices of others it
+/// carries.
+/// @throws ConfigError naming the file and the mistake, also for mistakes that urdfdom only prints
 std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
 
 /// Same as loadRobotModel, but collects all mistakes instead of throwing the first.
-/// @param problems a message for each mistake is added to it @return null if there is any
+/// @param problems receives a message for each mistake @return null if there is any
 std::shared_ptr<const EntityModel> checkRobotFile(const std::string& type, const std::string& urdf_file,
                                                   std::vector<std::string>& problems);
 
-/// The model of a robot type of this installation: of <type>.urdf in a folder that a package exports in its
-/// package.xml, as <export><swarmanoid robots="${prefix}/urdf"/></export>. Loaded once a process. Thread-safe.
+/// The model of an installed robot type, from <type>.urdf in a folder that a package exports in its package.xml, as
+/// <export><swarmanoid robots="${prefix}/urdf"/></export>. Loaded once per process. Thread-safe.
 /// @throws ConfigError if there is no such robot, or if there are two
 std::shared_ptr<const EntityModel> robotModel(const std::string& type);
 
-/// A robot that runs on a battery: the same with that battery, and with its properties (BatteryProperty).
+/// The model of the same robot with that battery and its properties (BatteryProperty).
 std::shared_ptr<const EntityModel> robotWithBattery(const EntityModel& robot, const BatteryModel& battery);
 
-/// Loads all robots of this installation. Thread-safe.
-/// @return what is wrong with them, and with the packages that bring them, a message each
+/// Loads all installed robots. Thread-safe.
+/// @return mistakes in them and in the packages that provide them, one message each
 std::vector<std::string> robotProblems();
 
 /// A solid upright box with the origin at its centre. @param size lengths along x, y, z [m]
@@ -228,13 +231,13 @@ std::vector<std::string> robotProblems();
 std::shared_ptr<const EntityModel> blockModel(const Eigen::Vector3d& size, double mass = 0.0,
                                               bool is_ferromagnetic = false);
 
-constexpr double kPreyMass = 0.3;  ///< what a prey weighs that the experiment file says nothing about [kg]
+constexpr double kPreyMass = 0.3;  ///< default mass of a prey [kg]
 
-/// A solid upright cylinder with the origin at the centre of its lower face and a gripping strip around it.
-/// Its one LED position, at the middle, is where cameras see its colour. @param radius, height [m]
+/// A solid upright cylinder with the origin at the centre of its lower face and a gripping strip around it. Cameras see
+/// its colour at its one LED position, the cylinder's centre. @param radius, height [m]
 std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height, double mass = kPreyMass);
 
-/// The property of what shines: how many times as bright as an LED of the same colour it is; at 0 it is dark.
+/// The property of shining entities: brightness in multiples of an LED of the same colour; 0 is dark.
 constexpr const char* kIntensity = "intensity";
 constexpr Range kIntensityRange{0.0, 1000.0};
 

@@ -1,4 +1,4 @@
-/// The base class of entity types, the tags of `<arena>`: how an entity's description becomes its model.
+/// The base class of entity types, the tags of `<arena>`: makes the model of an entity from its parameters.
 #pragma once
 
 #include <memory>
@@ -13,16 +13,17 @@ class EntityType {
  public:
   virtual ~EntityType() = default;
 
-  /// What it is made of, and its properties, of which the parameters may say the initial values. Equal parameters share
-  /// one model (arena_object.hpp). @throws ConfigError
+  /// Makes the model; the parameters may set initial values of its properties. Equal parameters share one model
+  /// (arena_object.hpp). @throws ConfigError
   virtual std::shared_ptr<const EntityModel> makeModel(const Configuration& parameters) const = 0;
-  /// Whether it may have a controller.
+  /// Whether the entity may have a controller.
   virtual bool isRobot() const { return false; }
 };
 
 }  // namespace swarmanoid
 
-/// At the end of an entity type's source. `Class` has a static function `PluginDescription describe()`.
+/// Registers an entity type; place it at the end of the source. `Class` has a static function
+/// `PluginDescription describe()`.
 #define REGISTER_ENTITY_TYPE(Class)                                                               \
   namespace {                                                                                     \
   const ::swarmanoid::PluginRegistration<::swarmanoid::EntityType, Class> SWARMANOID_CONCATENATE( \

@@ -1,4 +1,4 @@
-/// Lamps that shine into a cone only.
+/// Lamps that shine only into a cone.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace swarmanoid {
 
-/// The property of what shines into a cone around its x axis: the whole angle of the cone [deg].
+/// The property of lamps that shine into a cone around their x axis: the full angle of the cone [deg].
 constexpr const char* kAperture = "aperture";
 constexpr Range kApertureRange{1.0, 360.0};
 

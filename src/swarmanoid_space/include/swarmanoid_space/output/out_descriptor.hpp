@@ -1,6 +1,6 @@
-/// An open file that a run writes, without a buffer: what a call has written, no end of this process takes away.
+/// An open output file of a run, without a buffer: written data survive any end of this process.
 ///
-/// Errors  every function but the destructor throws std::runtime_error that names who writes, the file, and the reason.
+/// Errors  every function but the destructor throws std::runtime_error with the writer, the file, and the reason.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace swarmanoid {
 class OutDescriptor {
  public:
   OutDescriptor() = default;
-  /// @param descriptor goes over to this; @param writer for messages: "--bag", "text_render 'table'"
+  /// @param descriptor owned by this object from now on; @param writer for messages: "--bag", "text_render 'table'"
   OutDescriptor(int descriptor, std::string path, std::string writer);
   ~OutDescriptor();
   OutDescriptor(OutDescriptor&& other) noexcept;
@@ -21,13 +21,13 @@ class OutDescriptor {
   bool isOpen() const { return descriptor_ >= 0; }
   const std::string& path() const { return path_; }
 
-  /// All of it, where the last write ended.
+  /// Writes all of it, where the last write ended.
   void write(const char* data, std::size_t size);
-  /// All of it, at this place. Not for pipes.
+  /// Writes all of it, at this offset. Not for pipes.
   void writeAt(std::uint64_t place, const char* data, std::size_t size);
-  /// Exactly so much.
+  /// Reads exactly so many bytes.
   void readAt(std::uint64_t place, char* data, std::size_t size) const;
-  /// Cuts off the end; the next write goes there. Devices and pipes have none.
+  /// Cuts the file to this size; the next write starts there. No effect on devices and pipes.
   void truncate(std::uint64_t size);
 
  private:

@@ -1,7 +1,8 @@
-/// Which files a run may write, and where: nothing that the run reads, nothing twice, nothing through a link, nothing
-/// that is there already unless that is wanted, and what the experiment file names only in the folder of the run.
+/// The rules for files that a run writes. A run must not write a file that it reads, a file twice, a file through a
+/// link, or an existing file unless replacement is allowed. Files that the experiment file names must be in the folder
+/// of the run.
 ///
-/// A run that does not begin leaves nothing behind: folders and files that were made for it go again.
+/// A run that does not begin leaves nothing behind: folders and files that were made for it are removed.
 #pragma once
 
 #include <sys/types.h>
@@ -21,21 +22,21 @@ namespace swarmanoid {
 class OutFolder {
  public:
   struct Rules {
-    bool anywhere = false;  ///< what the experiment file names may be outside the folder
-    bool replace = false;   ///< files that are there already are written anew
+    bool anywhere = false;  ///< files that the experiment file names may be outside the folder
+    bool replace = false;   ///< existing files may be replaced
   };
 
-  /// Who asks for a file.
+  /// The author of a request for a file.
   struct Writer {
     std::string name;                ///< for messages: "--bag", "text_render 'table'"
     SourceLocation location;         ///< in the experiment file
-    bool is_in_experiment = true;    ///< false: a user names the file, who may name any
-    const char* parameter = "file";  ///< of the experiment file that names it, for messages
+    bool is_in_experiment = true;    ///< false: a user names the file, and may name any
+    const char* parameter = "file";  ///< parameter of the experiment file that names it, for messages
   };
 
-  /// The current folder; files may be anywhere, and are replaced: for code that knows what it does.
+  /// The current folder; files may be anywhere, and are replaced. For code that needs no protection.
   OutFolder() : OutFolder("", "--", {true, true}) {}
-  /// @param folder made if it is not there; empty: the current one
+  /// @param folder created if missing; empty: the current one
   /// @param prefix of options, for messages: "--", "~"
   /// @throws ConfigError if it cannot be made
   OutFolder(const std::string& folder, const std::string& prefix, Rules rules);
@@ -43,33 +44,33 @@ class OutFolder {
   OutFolder(const OutFolder&) = delete;
   OutFolder& operator=(const OutFolder&) = delete;
 
-  /// The run reads this file.
+  /// Marks a file as read by the run.
   void protect(const std::string& file);
-  /// The run needs these files: the program and all libraries that are loaded by now.
+  /// Marks the files that the run needs: the program and all libraries loaded so far.
   void protectLoadedLibraries();
 
-  /// Opens a file for one writer. What a file that is replaced holds stays in it until the writer truncates it.
+  /// Opens a file for one writer. An existing file keeps its contents until the writer truncates it.
   /// @param name relative to the folder
   /// @throws ConfigError if it may not or cannot be written
   OutDescriptor open(const std::string& name, const Writer& writer);
 
-  /// Says that the writer will make files while the run goes on, by `writeWhole`: their names are `begin`, a number,
-  /// `end`. @throws ConfigError as `open`, for the first and for any that is there, and if another writer has said so
+  /// Announces that the writer will make files by `writeWhole` during the run, with names of `begin`, a number, `end`.
+  /// @throws ConfigError as `open`, for the first name and for any existing file, and if another writer did the same
   void promiseSeries(const std::string& begin, const std::string& end, const Writer& writer);
-  /// Writes such a file, as a whole or not at all, whoever ends this process.
-  /// @throws ConfigError if it has come meanwhile and may not be replaced; std::runtime_error that names writer, file
-  /// and reason, such as a full disk
+  /// Writes such a file completely or not at all, even if this process is killed.
+  /// @throws ConfigError if the file has appeared meanwhile and may not be replaced; std::runtime_error with writer,
+  /// file and reason, such as a full disk
   void writeWhole(const std::string& name, const Writer& writer, const std::vector<char>& content);
 
-  /// Makes a folder, with all that lead to it; one that is there already is as good.
+  /// Makes a folder and its missing parents; an existing folder is accepted.
   /// @param name relative to the folder of the run @throws ConfigError if it may not or cannot be made
   void makeFolder(const std::string& name, const Writer& writer);
 
-  /// The run begins: from here on folder and files stay.
+  /// Called when the run begins: folder and files are kept from now on.
   void keep();
 
  private:
-  using Identity = std::pair<dev_t, ino_t>;  // a file has one, however many names
+  using Identity = std::pair<dev_t, ino_t>;  // identifies a file, whatever its names
 
   std::error_code make(const std::filesystem::path& folder);
   std::filesystem::path at(const std::filesystem::path& path) const { return start_ / path; }
@@ -79,14 +80,14 @@ class OutFolder {
   [[noreturn]] static void fail(const Writer& writer, const std::string& text);
   std::string option(const std::string& first, const std::string& second = "") const;
 
-  std::filesystem::path start_;  // the current folder when this was made: users' code may go to another one
+  std::filesystem::path start_;  // the current folder at construction; users' code may change it later
   std::filesystem::path folder_;
   std::string prefix_ = "--";
   Rules rules_;
-  std::map<Identity, std::string> taken_;                  // by whom; "" is this run, which reads it
-  std::map<std::filesystem::path, std::string> promised_;  // to whom
+  std::map<Identity, std::string> taken_;                  // name of the writer; "": read by this run
+  std::map<std::filesystem::path, std::string> promised_;  // name of the writer
   std::vector<std::filesystem::path> made_files_;
-  std::vector<std::filesystem::path> made_folders_;  // the innermost first
+  std::vector<std::filesystem::path> made_folders_;  // innermost first
 };
 
 }  // namespace swarmanoid

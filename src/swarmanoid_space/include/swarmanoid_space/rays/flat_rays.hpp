@@ -1,7 +1,7 @@
-/// Rays as a plane sees them, column by column, so that a compiler works on several at once: which of them pass by an
-/// outline. For rings of sensors, and for engines that cast rays in a plane.
+/// Rays projected to a plane, stored column by column so that the compiler vectorises the loops; finds the rays that
+/// pass near an outline. For rings of sensors, and for engines that cast rays in a plane.
 ///
-/// Coordinates are of any one frame [m]. Threads: const functions may run at once.
+/// Coordinates are of any one frame [m]. Threads: const functions may run concurrently.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,17 +13,17 @@
 
 namespace swarmanoid {
 
-/// @tparam most rays that it has room for, up to 64
+/// @tparam most maximum number of rays, up to 64
 template <std::size_t most>
 class FlatRays {
   static_assert(most <= 64);
 
  public:
-  FlatRays() {}  // the columns are left as they are: most bundles hit nothing
+  FlatRays() {}  // columns stay uninitialised: most bundles hit nothing
 
   std::size_t size() const { return count_; }
   void resize(std::size_t count) { count_ = count; }
-  /// Both ends of a ray. @pre k < size(); `measure` follows once all are set
+  /// Sets both ends of a ray. @pre k < size(); call `measure` after all are set
   void set(std::size_t k, const Eigen::Vector2d& from, const Eigen::Vector2d& step) {
     from_x_[k] = from.x();
     from_y_[k] = from.y();
@@ -41,16 +41,16 @@ class FlatRays {
   Eigen::Vector2d from(std::size_t k) const { return {from_x_[k], from_y_[k]}; }
   Eigen::Vector2d step(std::size_t k) const { return {step_x_[k], step_y_[k]}; }
 
-  /// The fraction of a ray at which it comes into a circle, 0 if it starts there, 1 if it does not come so far.
+  /// The fraction of a ray at which it enters a circle; 0 if it starts inside, 1 if it does not reach the circle.
   double entryInto(const Eigen::Vector2d& centre, double radius, std::size_t k) const {
     LinePart inside;
     inside.clipToRound(Eigen::Vector2d(from(k) - centre), step(k), radius);
     return inside.isEmpty() ? 1.0 : inside.from;
   }
 
-  /// The rays that come near a point: within the radius to their side, and as far before or behind them.
+  /// The rays near a point: within the radius to their side, and as far before or behind them.
   RayMask nearPoint(const Eigen::Vector2d& point, double radius) const {
-    // without branches and divisions, so that the compiler works on several rays at once: all is scaled by the length
+    // no branches and divisions, so that the loop is vectorised: all terms are scaled by the length
     const double x = point.x();
     const double y = point.y();
     Column excess;
@@ -65,7 +65,7 @@ class FlatRays {
     return notAbove0(excess);
   }
 
-  /// The rays whose own box meets a box.
+  /// The rays whose bounding box meets a box.
   RayMask nearBox(const Eigen::AlignedBox2d& box) const {
     const Eigen::Vector2d middle = box.center();
     const Eigen::Vector2d half = 0.5 * box.sizes();
@@ -82,7 +82,7 @@ class FlatRays {
 
  private:
   using Column = std::array<double, most>;
-  static constexpr double kRounding = 1e-9;  // m: who touches counts
+  static constexpr double kRounding = 1e-9;  // m: contact counts as a hit
 
   RayMask notAbove0(const Column& excess) const {
     RayMask mask = 0;

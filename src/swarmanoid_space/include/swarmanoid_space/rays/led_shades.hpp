@@ -1,4 +1,4 @@
-/// Whether an entity's solids hide its own LEDs, by standing between them and an eye.
+/// Computes which LEDs of an entity are hidden from an eye by the entity's own solids.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,66 +27,67 @@ void visitLeds(const LedSet& leds, Visit visit) {
   }
 }
 
-/// What of an entity hides its LEDs.
+/// The solids of an entity that hide its LEDs.
 ///
-/// Each shape counts without its outer kLedHeight (but never less than half of it, so that thin plates hide too): a
-/// LED on a surface, or as deep in it, is seen from its own side of the body and a little beyond the edge of it, as
-/// one that stands out by that much. A shape in which the LED lies deeper is a hull around it, such as the cage of an
-/// eyebot's rotors or the solid of a prey whose colour is looked at, and does not hide it.
+/// Each shape is shrunk by kLedHeight (but at most to half of its size, so that thin plates hide too). So a LED on a
+/// surface, or up to kLedHeight below it, is visible from its own side of the body and slightly beyond the edge, like a
+/// LED that protrudes by that height. A shape in which the LED lies deeper is a hull around it, such as the cage of an
+/// eyebot's rotors or the solid of a coloured prey, and does not hide it.
 ///
-/// Threads  each needs LedShades of its own, and keeps them: their room grows to what was needed, and stays.
+/// Threads  each thread needs its own LedShades. Reuse the object: its memory grows to the required size and stays.
 class LedShades {
  public:
-  /// Looks at another entity, or in another tick. @param model measured (EntityModel::measureShapes), outlives the
-  /// questions @param joints states of the model's joints, likewise
+  /// Selects an entity, or another tick. @param model measured (EntityModel::measureShapes) @param joints states of the
+  /// model's joints. Both must outlive the queries.
   void begin(const EntityModel& model, Span<const JointState> joints);
 
-  /// Which of the LEDs that are asked about are hidden from an eye. @param eye in the body frame [m]
+  /// The LEDs in `asked` that are hidden from an eye. @param eye in the body frame [m]
   LedSet hidden(const Eigen::Vector3d& eye, const LedSet& asked);
 
-  /// Where somebody's eyes are: in an upright cylinder of the body frame.
+  /// Region of an observer's eyes: an upright cylinder in the body frame.
   struct Eyes {
     Eigen::Vector2d axis = Eigen::Vector2d::Zero();  ///< of the cylinder, seen from above [m]
     double radius = 0.0;                             ///< [m]
     double lowest = 0.0;                             ///< along body z [m]
-    double highest = 0.0;                            ///< likewise
+    double highest = 0.0;                            ///< along body z [m]
   };
-  /// LEDs for which the answer is the same from all eyes.
+  /// LEDs with the same answer for all eyes.
   struct SameForAll {
     LedSet hidden;
     LedSet free;
   };
-  /// For somebody with many eyes, who need not ask about these LEDs for each of them. Some LEDs of which the same is
-  /// true may be left out.
+  /// For observers with many eyes: these LEDs need no query for each eye. Conservative: some LEDs with the same answer
+  /// for all eyes may be missing.
   SameForAll sameForAll(const Eyes& eyes);
 
  private:
-  /// A shape without its skin, where its joint has turned it.
+  /// A shape without its outer layer, turned by its joint.
   struct Shade {
-    bool is_placed = false;   // most shapes stand before no LED of their own, and need not be
-    bool is_aligned = false;  // its frame has the directions of the body
+    bool is_placed = false;   // computed on demand: most shapes hide no LED of their own entity
+    bool is_aligned = false;  // its axes are parallel to those of the body
     CollisionShape::Kind kind = CollisionShape::Kind::kBox;
     Eigen::Vector3d half_extent;
     Eigen::Vector3d position;
-    Eigen::Matrix3d to_shape;  // from the directions of the body
+    Eigen::Matrix3d to_shape;  // rotation from body axes
   };
-  /// The lines from eyes to all LEDs.
+  /// Bounds of the lines from eyes to all LEDs.
   struct Lines {
-    double way_in = 0.0;   ///< to the body z axis at least, seen from above [m]
-    double length = 0.0;   ///< at most so long, seen from above [m]
-    double lowest = 0.0;   ///< where they begin, along body z [m]
-    double highest = 0.0;  ///< likewise
+    double way_in = 0.0;   ///< least distance of the eyes from body z, seen from above [m]
+    double length = 0.0;   ///< maximum length, seen from above [m]
+    double lowest = 0.0;   ///< of the eyes, along body z [m]
+    double highest = 0.0;  ///< of the eyes, along body z [m]
   };
   using Column = std::array<double, EntityModel::kMaxLeds>;
-  /// The ways from an eye to some LEDs in the frame of a shape, by coordinate, so that several are looked at at once.
+  /// The vectors from an eye to some LEDs in the frame of a shape, by coordinate, so that loops over LEDs are
+  /// vectorised.
   struct Steps {
     std::size_t count = 0;
     std::array<std::uint8_t, EntityModel::kMaxLeds> led;
     Column x;  // m
-    Column y;  // likewise
-    Column z;  // likewise
+    Column y;  // m
+    Column z;  // m
   };
-  /// The LEDs of which it is sure at once that a shape hides them, and that it does not.
+  /// The LEDs that a shape certainly hides, and those that it certainly does not hide.
   struct Sure {
     std::uint64_t hidden = 0;
     std::uint64_t free = 0;

@@ -1,4 +1,4 @@
-/// What is left of a line between two points once it is clipped to solids. Inline: rays spend most of their time here.
+/// The part of a line between two points after clipping to solids. Inline: rays spend most of their time here.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 
 namespace swarmanoid {
 
-/// A part of a line start + t * step, from one fraction t to another. At first it is what lies between the two points.
+/// A part of the line start + t * step, from one fraction t to another. Initially the part between the two points.
 struct LinePart {
   double from = 0.0;
   double to = 1.0;
 
-  /// All of the line, beyond both points too.
+  /// The whole line, including the parts beyond both points.
   static LinePart whole() {
     constexpr double kEnd = std::numeric_limits<double>::infinity();
     return {-kEnd, kEnd};
@@ -28,7 +28,7 @@ struct LinePart {
     to = std::min(to, high);
   }
 
-  /// To where one coordinate of the line is from `low` to `high`.
+  /// Clips to the part in which one coordinate is from `low` to `high`.
   void clipToSlab(double start, double step, double low, double high) {
     if (step == 0.0) {
       if (start < low || start > high) {
@@ -41,7 +41,7 @@ struct LinePart {
     clip(std::min(a, b), std::max(a, b));
   }
 
-  /// To where the line is so near to the origin, in as many dimensions as the vectors have.
+  /// Clips to the part within `radius` of the origin, in as many dimensions as the vectors have.
   template <class Vector>
   void clipToRound(const Vector& start, const Vector& step, double radius) {
     const double a = step.squaredNorm();

@@ -1,5 +1,5 @@
-/// What the rays of a bundle may meet, as outlines seen from above: whoever casts many rays around itself, such as a
-/// ring of sensors, then casts at each the few alone that pass by it (Space::castRayAt).
+/// Outlines, seen from above, of the obstacles that the rays of a bundle may hit. A caller with many rays, such as a
+/// ring of sensors, casts at each obstacle only the few rays that pass near it (Space::castRayAt).
 #pragma once
 
 #include <Eigen/Core>
@@ -15,25 +15,25 @@ class Engine;
 
 class Obstacles {
  public:
-  static constexpr std::size_t kMostOfAKind = 16;  ///< beyond, they are anywhere
+  static constexpr std::size_t kMostOfAKind = 16;  ///< more are reported as anywhere
 
-  static constexpr int kWhole = -1;  ///< not a part of an entity, but all of it
+  static constexpr int kWhole = -1;  ///< the whole entity, not a part
 
-  /// Who answers for it, and what it is.
+  /// A solid, and the engine that casts rays against it.
   struct Solid {
     const Engine* engine;  ///< null: the space itself
     Row row;
     int part;  ///< of the entity, as the engine counts them
   };
-  /// A circle in the x-y plane of W: what may be hit lies over or under it.
+  /// A circle in the x-y plane of W: the obstacle lies above or below it.
   struct Circle {
     Solid solid;
     Eigen::Vector2d centre;  ///< [m]
     double radius;           ///< [m]
-    /// It is as round, and is so at all heights of the rays: they hit it where they come into the circle.
+    /// True if the solid has exactly this outline at all heights of the rays: they hit it where they enter the circle.
     bool is_exact;
   };
-  /// Likewise a box along the axes of W.
+  /// A box along the axes of W, in the same plane.
   struct Box {
     Solid solid;
     Eigen::Vector2d min;  ///< [m]
@@ -44,11 +44,11 @@ class Obstacles {
 
   void add(const Circle& circle) { keep(circle, circles_, circle_count_); }
   void add(const Box& box) { keep(box, boxes_, box_count_); }
-  /// For those who cannot say where.
+  /// Reports obstacles at unknown places.
   void addAnywhere() { are_anywhere_ = true; }
 
   bool isEmpty() const { return !are_anywhere_ && circle_count_ + box_count_ == 0; }
-  /// There are more than the outlines below.
+  /// Whether there may be obstacles beyond the outlines below.
   bool areAnywhere() const { return are_anywhere_; }
   Span<const Circle> circles() const { return {circles_.data(), circle_count_}; }
   Span<const Box> boxes() const { return {boxes_.data(), box_count_}; }

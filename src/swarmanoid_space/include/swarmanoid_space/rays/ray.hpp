@@ -1,4 +1,4 @@
-/// Rays: how sensors and lasers feel for surfaces, across all engines.
+/// Rays: sensors and lasers find surfaces with them, across all engines.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,16 +19,16 @@ struct Segment {
 /// Where a segment first hits a surface. A segment that starts inside a solid hits it at fraction 0.
 struct RayHit {
   double fraction = 1.0;  ///< of the way from `from` to `to`
-  Row row = kNoRow;       ///< what was hit; kNoRow: nothing, or the terrain, which is no entity
+  Row row = kNoRow;       ///< entity that was hit; kNoRow: none, or the terrain, which is not an entity
 
-  /// Whether anything was hit, be it an entity or the terrain.
+  /// Whether an entity or the terrain was hit.
   bool isHit() const { return fraction < 1.0; }
 };
 
-/// Some of up to 64 rays: a bit a ray, that of ray 0 the lowest.
+/// A set of up to 64 rays, one bit per ray; ray 0 is the lowest bit.
 using RayMask = std::uint64_t;
 
-/// Calls visit(ray) for each ray of a mask, in their order.
+/// Calls visit(ray) for each ray of a mask, in order.
 template <class Visit>
 void visitRays(RayMask mask, Visit visit) {
   for (; mask != 0; mask &= mask - 1) {
@@ -36,15 +36,15 @@ void visitRays(RayMask mask, Visit visit) {
   }
 }
 
-/// Segments cast together, such as a ring of sensors: one look-up of what is near serves all.
+/// Segments cast together, such as a ring of sensors: they share one search for neighbours.
 struct RayBundle {
   Span<const Segment> segments;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of a sphere that holds all segments
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of a sphere that contains all segments
   double radius = 0.0;                               ///< of that sphere [m]
-  double lowest = -kInfinity;                        ///< no segment goes below that height [m]
-  double highest = kInfinity;                        ///< or above this one; mostly left as they are
-  Row ignored = kNoRow;                              ///< an entity that the rays pass through (the one that casts them)
-  Row also_ignored = kNoRow;                         ///< a second one (the one looked at)
+  double lowest = -kInfinity;                        ///< no segment goes below this height [m]
+  double highest = kInfinity;                        ///< or above this one; usually left at the defaults
+  Row ignored = kNoRow;                              ///< an entity that the rays pass through (the caster)
+  Row also_ignored = kNoRow;                         ///< a second one (the target)
 };
 
 }  // namespace swarmanoid

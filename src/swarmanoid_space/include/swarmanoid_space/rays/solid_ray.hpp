@@ -1,5 +1,5 @@
-/// Where a segment hits the solids of an entity, as they are: for entities in no engine, and for engines that have no
-/// shapes of their own to cast rays against.
+/// Hits of a segment on the solids of an entity's model: for entities in no engine, and for engines without shapes of
+/// their own for rays.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 namespace swarmanoid {
 
-/// The fraction of `segment` at which it first hits the entity's shapes; more than 1 if it does not. Thread-safe.
+/// The fraction of `segment` at which it first hits the entity's shapes; more than 1 if it hits none. Thread-safe.
 double closestHit(const Segment& segment, const EntityModel& model, const Pose& pose);
 
 }  // namespace swarmanoid

@@ -1,13 +1,13 @@
-/// Ground that is not level: heights over a rectangle of the arena, on a regular grid.
+/// A heightfield: ground that is not level, as heights over a rectangle of the arena, on a regular grid.
 ///
 /// Frame W, SI. Vertex (i, j) is the i-th along x and the j-th along y. Each cell is cut into two triangles, from its
-/// corner of least x and y to that of most x and y, as ODE's heightfields are when they lie with z upwards.
+/// corner of least x and y to that of greatest x and y, like ODE's heightfields with z upwards.
 ///
-/// Below the triangles is solid ground, and around the rectangle the floor at z = 0: where the rim is at another height
-/// there is a cliff. Rays hit the ground where they go into it; those that come from below the surface pass through
-/// it, so engines that move robots in a plane under a hill are not disturbed.
+/// The ground below the triangles is solid. Around the rectangle is the floor at z = 0; a rim at another height forms a
+/// cliff. Rays hit the ground where they enter it. Rays from below the surface pass through it, so a hill does not
+/// disturb engines that move robots in a plane below it.
 ///
-/// Threads: const from any number of them.
+/// Threads: const functions may run concurrently.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +21,7 @@ namespace swarmanoid {
 
 class Terrain {
  public:
-  /// Cells whose indices are from `low` to `high`, both included; none if one of `high` is less.
+  /// Cells with indices from `low` to `high`, both included; none if a component of `high` is less than that of `low`.
   struct Cells {
     Eigen::Vector2i low = Eigen::Vector2i::Zero();
     Eigen::Vector2i high = Eigen::Vector2i::Constant(-1);
@@ -41,31 +41,31 @@ class Terrain {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   Eigen::Vector3d vertex(int i, int j) const { return {lineX(i), lineY(j), height(i, j)}; }
-  /// The one of the cell's two triangles that reaches to its corner of most x (0), or of most y (1).
+  /// One of the cell's two triangles: that at its corner of greatest x (half 0) or of greatest y (half 1).
   Triangle triangle(int i, int j, int half) const;
-  /// From the lowest vertex to the highest.
+  /// Box around the rectangle, from the lowest vertex to the highest.
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
 
-  /// Whether the point lies above the rectangle, on it or below; its border included.
+  /// Whether the point is above, on or below the rectangle, its border included.
   bool contains(double x, double y) const {
     return x >= bounds_.min().x() && x <= bounds_.max().x() && y >= bounds_.min().y() && y <= bounds_.max().y();
   }
-  /// Of the surface [m]; beyond the rectangle that of the planes of its outermost triangles.
+  /// Height of the surface [m]; beyond the rectangle, of the planes of its outermost triangles.
   double heightAt(double x, double y) const;
-  /// The cell that holds the point, or the nearest one.
+  /// The cell that contains the point, or the nearest one.
   Eigen::Vector2i cellAt(double x, double y) const;
   /// The triangle above or below the point, or that of the nearest cell.
   Triangle triangleAt(double x, double y) const;
   /// The cells that a rectangle overlaps.
   Cells cellsIn(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
-  /// The highest vertex of these cells [m]; -infinity for none.
+  /// The greatest height of the vertices of these cells [m]; -infinity for none.
   double highestIn(const Cells& cells) const;
 
-  /// The fraction of the segment at which it first goes into the ground; infinity if it does not.
+  /// The fraction of the segment at which it first enters the ground; infinity if it does not.
   double closestHit(const Segment& segment) const;
-  /// Whether a ray of the bundle could hit the ground; in doubt, yes. Its segments are not looked at.
+  /// Whether a ray of the bundle could hit the ground; in doubt, true. Does not read its segments.
   bool mayHit(const RayBundle& rays) const;
-  /// For each segment: if it hits the ground nearer than `hits` says so far, that hit replaces it.
+  /// Replaces the hit of each segment that hits the ground nearer than its entry in `hits`.
   void raycast(const RayBundle& rays, Span<RayHit> hits) const;
 
  private:
@@ -86,9 +86,9 @@ class Terrain {
 };
 
 /// Reads a terrain from a grey PNG image of 8 or 16 bits: its columns along x, its first row at the greatest y, the
-/// outermost pixels on the rectangle's border. Grey values are taken as they are; gamma does not count.
+/// outermost pixels on the rectangle's border. Grey values are linear; gamma is ignored.
 /// @param middle of the rectangle, at the height of black [m]; @param height of white over black [m]
-/// @throws std::runtime_error what the file is that it should not be, such as "is no PNG image"
+/// @throws std::runtime_error with the mistake in the file, such as "is no PNG image"
 Terrain readTerrain(const std::string& file, const Eigen::Vector3d& middle, const Eigen::Vector2d& size, double height);
 
 }  // namespace swarmanoid

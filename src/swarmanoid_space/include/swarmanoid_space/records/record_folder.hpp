@@ -1,4 +1,4 @@
-/// Writes a record into a folder while the run is made. For its files the rules of the run's out folder hold.
+/// Writes a record into a folder during a run. Its files are subject to the rules of the run's out folder.
 #pragma once
 
 #include <string>
@@ -13,18 +13,18 @@ namespace swarmanoid {
 
 class RecordFolder {
  public:
-  /// Makes the folder and its files, which stay empty: a run that does not begin leaves nothing behind. State hashes
-  /// and interventions are the matter of observers.
-  /// @param folder that a user names @throws ConfigError if something may not or cannot be written
+  /// Makes the folder and its files, which stay empty until `begin`: a run that does not begin leaves nothing behind.
+  /// Observers write the state hashes and the interventions.
+  /// @param folder named by a user @throws ConfigError if a file may not or cannot be written
   RecordFolder(OutFolder& out, const std::string& folder, const OutFolder::Writer& writer, const RunRecord& record);
 
-  /// The run begins: writes all that does not change any more. @throws std::runtime_error
+  /// Called when the run begins: writes all files that no longer change. @throws std::runtime_error
   void begin();
-  /// The run is over. @param result in JSON @throws std::runtime_error
+  /// Called when the run is over. @param result in JSON @throws std::runtime_error
   void finish(const std::string& result);
 
  private:
-  std::vector<std::pair<OutDescriptor, std::string>> documents_;  // with their contents
+  std::vector<std::pair<OutDescriptor, std::string>> documents_;  // and their contents
   OutDescriptor result_;
 };
 

@@ -1,7 +1,7 @@
-/// A recorded run as its folder holds it, read and checked, and what is needed to make it again.
+/// A recorded run, read from its folder and checked, and the data needed to repeat it.
 ///
-/// Errors  ConfigError with file, line, what was found and what is allowed: a file that is missing or is not as it was
-///         recorded, hashes that are cut off, a record of another format.
+/// Errors  ConfigError with file, line, found text and allowed values: a file that is missing or differs from the
+///         recorded one, truncated hashes, a record of another format.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,10 @@ struct RecordedHash {
 struct RecordedRun {
   std::string folder;
   RunRecord record;                  ///< without texts and contents, which are in the folder
-  std::string interventions;         ///< text of a file of interventions, with its end
+  std::string interventions;         ///< text of an intervention file, with its end
   std::vector<RecordedHash> hashes;  ///< from tick 0 on, RunRecord::every ticks apart; at least one
   std::string result;                ///< text of the summary; empty: the run was killed, or is not over
-  std::vector<std::string> missing;  ///< what a run that was killed has not written, in sentences
+  std::vector<std::string> missing;  ///< sentences about the data that a killed run has not written
 
   std::uint64_t ticks() const { return hashes.back().tick; }
   bool hasResult() const { return !result.empty(); }
@@ -37,13 +37,13 @@ RecordedRun readRecordedRun(const std::string& folder);
 /// @throws ConfigError
 Experiment experimentOf(const RecordedRun& run);
 
-/// What was done to the run. @throws ConfigError
+/// The interventions of the recorded run. @throws ConfigError
 InterventionFile interventionsOf(const RecordedRun& run, const Experiment& experiment);
 
-/// Those of them that are to be played: not what the rules of the experiment will ask for again.
+/// The interventions to be played: those that the rules of the experiment will request again are omitted.
 InterventionFile withoutThoseOfRules(InterventionFile interventions, const Experiment& experiment);
 
-/// The robots that other processes commanded at any time, by their names; none if no process could.
+/// Names of the robots that other processes commanded at any time; empty if no process could.
 std::vector<std::string> robotsOfOthers(const RecordedRun& run, const Experiment& experiment,
                                         const InterventionFile& interventions);
 

@@ -1,7 +1,8 @@
-/// What rviz draws of a space: the arena once, moving things as few markers whose ids stay the same.
+/// Markers of a space for rviz: the arena once, moving entities as few markers with constant ids.
 ///
 /// Up to Transforms::kFewRobots robots have the bodies of their URDF, fixed to their frames and sent once, and labels;
-/// more of them are spheres of one list for each type. LEDs, laser beams, laser spots and grips are one list each.
+/// a larger number of robots is drawn as spheres, in one list for each type. LEDs, laser beams, laser spots and grips
+/// are one list each.
 #pragma once
 
 #include <visualization_msgs/MarkerArray.h>
@@ -15,21 +16,21 @@
 
 namespace swarmanoid {
 
-/// The floor, its grid, image and patches, the terrain, what nobody moves, and robots' bodies. Replaces what was there
-/// before.
+/// The floor, its grid, image and patches, the terrain, entities that no engine moves, and robots' bodies. Replaces all
+/// previous markers of the arena.
 visualization_msgs::MarkerArray arenaMarkers(const Space& space);
 
-/// What the engines work with: collision shapes, contacts, joints and forces (EngineDrawing), a list for each engine
-/// and kind; those without lines are deleted.
+/// The internal state of engines: collision shapes, contacts, joints and forces (EngineDrawing), a list for each engine
+/// and kind; deletes empty lists.
 visualization_msgs::MarkerArray engineMarkers(const Space& space);
 
-/// What devices do: a list of lines and one of points for each type of device that has drawn something so far; those
-/// that are empty now are deleted. Reuses what `message` holds.
+/// Drawings of devices: a list of lines and one of points for each type of device that has drawn anything so far;
+/// deletes lists that have become empty. Reuses the memory of `message`.
 void deviceMarkers(const Space& space, const DeviceDrawings& drawings, visualization_msgs::MarkerArray& message);
 
 class MovingMarkers {
  public:
-  /// Valid until the next call. What was drawn the last time and is no more is deleted.
+  /// Valid until the next call. Deletes markers of the previous call that no longer exist.
   const visualization_msgs::MarkerArray& draw(const Space& space);
 
  private:

@@ -10,10 +10,10 @@
 
 namespace swarmanoid {
 
-/// Numbers with as many digits as their bits need, "true", "false", texts as they are.
+/// Numbers with as many digits as their bits need, "true", "false", texts unchanged.
 std::string metricText(const Metrics::mapped_type& value);
 
-/// All of them, in their order.
+/// All metrics, in their order.
 std::vector<swarmanoid_msgs::TextParameter> toMessages(const Metrics& metrics);
 
 }  // namespace swarmanoid

@@ -1,9 +1,9 @@
-/// The frames of a space, for tf: one batch a tick for what moves, one for what does not.
+/// The frames of a space, for tf: one batch a tick for moving frames, one for fixed frames.
 ///
-/// Every frame has one parent: `world` for an entity's base_link, the URDF's own parent for a robot's links. So where a
-/// robot's odometry began, `odom`, is a child of base_link, which has the ground truth for its parent already: what
-/// REP-105 has the other way round, tf inverts by itself. Its stamp is that of the state that was read, one tick before
-/// that of the poses.
+/// Every frame has one parent: `world` for an entity's base_link, the URDF's own parent for a robot's links. The parent
+/// of base_link is therefore its ground truth, and `odom`, the start of a robot's odometry, is a child of base_link.
+/// REP-105 has the two the other way round; tf inverts the transform. Its stamp is that of the state that was read, one
+/// tick before that of the poses.
 #pragma once
 
 #include <tf2_msgs/TFMessage.h>
@@ -23,7 +23,7 @@ enum class TransformLevel {
   kFull   ///< all links of robots too, wheels and joints turning
 };
 
-/// "none", "base" or "full"; "auto" is nothing. @throws ConfigError
+/// "none", "base" or "full"; returns nothing for "auto". @throws ConfigError
 std::optional<TransformLevel> parseTransformLevel(const std::string& text);
 
 /// Whether robots with odometry have the frame `odom`.
@@ -31,29 +31,29 @@ enum class OdometryFrames { kHidden, kShown };
 
 class Transforms {
  public:
-  /// More robots than this are seen as a swarm: without their links in tf, as list markers in rviz.
+  /// More robots than this are treated as a swarm: without their links in tf, as list markers in rviz.
   static constexpr std::size_t kFewRobots = 20;
 
-  /// @param level nothing: full for up to kFewRobots robots, else base; decided at the first tick that is seen
+  /// @param level nothing: full for up to kFewRobots robots, else base; chosen at the first tick that is converted
   explicit Transforms(std::optional<TransformLevel> level = std::nullopt,
                       OdometryFrames odometry = OdometryFrames::kHidden)
       : level_(level), odometry_(odometry) {}
 
-  /// Entities that may move, turning wheels and joints. Valid until the next call.
+  /// Frames of entities that may move, and of turning wheels and joints. Valid until the next call.
   const tf2_msgs::TFMessage& moving(const Space& space);
-  /// Everything else.
+  /// All other frames.
   const tf2_msgs::TFMessage& fixed(const Space& space);
 
  private:
   enum class Wheel { kLeft, kRight };
 
-  /// A link, its parent, and its place on that with all joints at zero.
+  /// A link, its parent, and its pose relative to the parent with all joints at zero.
   struct Link {
     std::string parent;
     std::string name;
     Mount place;
     std::optional<Wheel> wheel;
-    int joint = -1;  ///< that turns it, in the entity's model; -1: none
+    int joint = -1;  ///< the joint of the entity's model that turns it; -1: none
     Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
   };
 

@@ -6,13 +6,13 @@
 ///     0.01,0,0.91
 ///     0.01,30,0.88
 ///
-/// A line is one sample: the distance to what is felt [m], its angle [deg], the reading. Lines may have any order;
-/// those that begin with # and empty ones are passed over. Each distance of the table stands with each of its angles at
-/// least once. What is both is an entry, and has as many samples as somebody has recorded.
+/// A line is one sample: the distance of the stimulus [m], its angle [deg], the reading. Lines may have any order;
+/// lines that begin with # and empty lines are skipped. Each distance of the table must be combined with each of its
+/// angles at least once. Such a combination is an entry, with one or more samples.
 ///
 /// Units    angles are degrees in the file and radians here
-/// Threads  const from any number of them
-/// Memory   reading() allocates nothing
+/// Threads  const functions may run concurrently
+/// Memory   reading() does not allocate
 #pragma once
 
 #include <cstddef>
@@ -32,11 +32,11 @@ struct Sample {
 
 class SampleTable {
  public:
-  static constexpr Range kDistances{0.0, 100.0};  ///< that may stand in a table [m]
-  static constexpr Range kAngles{0.0, 90.0};      ///< likewise [deg]
+  static constexpr Range kDistances{0.0, 100.0};  ///< allowed in a table [m]
+  static constexpr Range kAngles{0.0, 90.0};      ///< allowed in a table [deg]
   static constexpr std::size_t kMostSamples = 1000000;
 
-  /// What readings may be.
+  /// Allowed values of readings.
   struct Readings {
     Range range;
     bool may_be_infinite = false;  ///< "inf": nothing in range, "-inf": too close
@@ -44,27 +44,27 @@ class SampleTable {
 
   SampleTable() = default;  ///< without entries
   /// @param text of the file @param file for messages
-  /// @throws ConfigError with file and line, what was found and what is allowed
+  /// @throws ConfigError with file and line, found text and allowed values
   SampleTable(const std::string& text, const std::string& file, const Readings& readings);
 
-  /// What a sensor reads: bilinear between the four entries around. Below the least distance, and beyond the largest or
-  /// least angle, that of the next entry. Where one of the four is infinite, that of the nearest.
+  /// The reading of a sensor: bilinear interpolation between the four surrounding entries. Below the least distance,
+  /// and outside the angles, the nearest entry counts. If one of the four is infinite, the nearest of them counts.
   /// @param distance at most farthest() [m] @param angle [rad]
-  /// @param rank which sample of an entry it is, in the order of their readings: from 0 to below 1. With a rank drawn
-  /// uniformly each sample is as likely as another, and between entries the spread is between theirs.
+  /// @param rank selects a sample of each entry, in the order of their readings: from 0 to below 1. With a uniformly
+  /// distributed rank all samples of an entry are equally likely, and the spread between entries is interpolated.
   /// @pre there are entries
   double reading(double distance, double angle, double rank) const;
 
   bool isEmpty() const { return samples_.empty(); }
-  /// The largest distance: what is beyond is not felt [m].
+  /// The largest distance; the sensor does not detect anything beyond it [m].
   double farthest() const { return distances_.empty() ? 0.0 : distances_.back(); }
   /// Whether any entry has several samples.
   bool isRandom() const { return samples_.size() > distances_.size() * angles_.size(); }
-  /// The least and the largest of all readings that are finite; empty if none is.
+  /// The least and the largest finite reading; empty if there is none.
   Range finiteReadings() const { return finite_; }
 
  private:
-  /// Two neighbours on an axis.
+  /// Two neighbours on an axis, and a position between them.
   struct Place {
     std::size_t below = 0;
     std::size_t above = 0;
@@ -78,15 +78,15 @@ class SampleTable {
 
   std::vector<double> distances_;    // rising, m
   std::vector<double> angles_;       // rising, rad
-  std::vector<std::size_t> begins_;  // of the samples of each entry, distance by distance; behind them the end
+  std::vector<std::size_t> begins_;  // first sample of each entry, distance by distance; then the end
   std::vector<double> samples_;      // rising in each entry
   Range finite_{kInfinity, -kInfinity};
 };
 
-/// Reads a regular file. @throws ConfigError likewise, and if it is none or cannot be read
+/// Reads a regular file. @throws ConfigError as the constructor, and if it is not a regular file or cannot be read
 SampleTable readSampleTable(const std::string& file, const SampleTable::Readings& readings);
 
-/// The text of a table. Numbers are the shortest that are read as these.
+/// The text of a table. Numbers have the fewest digits that restore the same value.
 /// @param remark its first line, without the #
 std::string sampleTableText(const std::vector<Sample>& samples, const std::string& remark);
 

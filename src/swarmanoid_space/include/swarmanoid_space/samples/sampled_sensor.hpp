@@ -1,5 +1,5 @@
-/// What sensors that read from tables have beside Sensor, for whoever makes such tables of the ideal law: what to put
-/// before a sensor, where the sensor is, what it reads.
+/// The interface that sensors with tables have in addition to Sensor, for tools that make such tables from the ideal
+/// law: the stimulus, the poses of the sensors, and their readings.
 ///
 /// Threads  one, before the sensor is in use
 #pragma once
@@ -12,34 +12,33 @@
 
 namespace swarmanoid {
 
-/// What is at the distances and angles of a table.
+/// The stimulus at the distances and angles of a table.
 enum class Stimulus {
-  kObstacle,  ///< a surface straight ahead; the angle is the one between where the sensor looks and the surface's
-              ///< normal
-  kLight,     ///< a white lamp; the angle is the one between where the sensor looks and the lamp
-  kFloor      ///< a white floor; the angle is the one between where the sensor looks and straight down
+  kObstacle,  ///< a surface straight ahead; the angle is between the sensor's axis and the surface's normal
+  kLight,     ///< a white lamp; the angle is between the sensor's axis and the lamp
+  kFloor      ///< a white floor; the angle is between the sensor's axis and straight down
 };
 
 class SampledSensor {
  public:
   virtual ~SampledSensor() = default;
 
-  /// What a table of this sensor is of.
+  /// The stimulus of this sensor's tables.
   virtual Stimulus stimulus() const = 0;
-  /// Instead of Sensor::configure: it reads by the law of the device's default implementation, and has the parameters
-  /// of that. @throws ConfigError
+  /// Replaces Sensor::configure: the sensor uses the law and the parameters of the device's default implementation.
+  /// @throws ConfigError
   virtual void configureIdeal(const Configuration& parameters) = 0;
-  /// Whether those parameters mean errors (sensor.hpp), with which controllers read. `reading` is without them.
+  /// Whether those parameters mean errors (sensor.hpp), which affect controllers. `reading` is without errors.
   virtual bool hasErrors() const = 0;
-  /// As far as that law feels anything [m]. @pre it is configured
+  /// Maximum range of that law [m]. @pre the sensor is configured
   virtual double reach() const = 0;
 
-  /// One of the sensors of a robot, in its frame.
+  /// The axis of one of a robot's sensors, in the robot's frame.
   struct Line {
     Eigen::Vector3d from;       ///< [m]
     Eigen::Vector3d direction;  ///< of length 1
   };
-  // Of the robot that was added first. @pre there is one, with so many sensors
+  // Sensors of the robot that was added first. @pre there is one, and the index is below sensorCount()
   virtual std::size_t sensorCount() const = 0;
   virtual Line line(std::size_t sensor) const = 0;
   virtual double reading(std::size_t sensor) const = 0;

@@ -1,9 +1,9 @@
-/// Plays recorded interventions into a run, in their ticks.
+/// Plays recorded interventions into a run, each in its tick.
 ///
-/// Rules   what the rules of the recorded run asked for is left out as a rule, since the same rules ask for it again in
-///         the run that it is played into; a run without them needs it played.
-/// Bits    a run with the same experiment and seed, in which nothing else is done from outside, has the state hashes of
-///         the recorded one.
+/// Rules   interventions that rules requested are omitted by default, since the same rules request them again in the
+///         new run; a run without these rules needs them played.
+/// Bits    a run with the same experiment and seed, and without other interventions from outside, has the state hashes
+///         of the recorded one.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,20 @@
 
 namespace swarmanoid {
 
-/// Of those that rules asked for.
+/// Treatment of interventions that rules requested.
 enum class AskedByRules { kLeftOut, kPlayed };
 
 class InterventionPlayer {
  public:
-  /// Of none.
+  /// A player without interventions.
   InterventionPlayer() = default;
   InterventionPlayer(InterventionFile file, AskedByRules asked_by_rules);
 
-  /// The next one if it is due, and then it is no more. Allocates nothing.
-  /// @param tick, after_rules where the run is, as TakenIntervention has them
+  /// Takes the next intervention if it is due. Does not allocate.
+  /// @param tick, after_rules of the run, as in TakenIntervention
   /// @return null: none is due
   const RecordedIntervention* takeDue(std::uint64_t tick, bool after_rules);
-  /// A new run begins.
+  /// Called when a new run begins.
   void restart() { next_ = 0; }
   std::size_t left() const { return interventions_.size() - next_; }
 
@@ -38,13 +38,13 @@ class InterventionPlayer {
   std::size_t next_ = 0;
 };
 
-/// The player of a file for runs of the experiment. @param file "": none is played @param name of it in messages
-/// @param warn gets what is strange about it, each by itself @throws ConfigError as readInterventions
+/// The player of a file for runs of the experiment. @param file "": none is played @param name of the file in messages
+/// @param warn receives each warning of playingWarnings @throws ConfigError as readInterventions
 InterventionPlayer readPlayer(const std::string& file, const std::string& name, AskedByRules asked_by_rules,
                               const Experiment& experiment, const std::function<void(const std::string&)>& warn);
 
-/// What is strange about playing the file into a run of the experiment, in sentences: another experiment or seed, ticks
-/// that do not come, rules that are not there to ask, or are there to ask a second time.
+/// Warnings about playing the file into a run of the experiment, in sentences: another experiment or seed, ticks that
+/// do not occur, rules that are missing, or that will request interventions a second time.
 std::vector<std::string> playingWarnings(const InterventionFile& file, AskedByRules asked_by_rules,
                                          const Experiment& experiment);
 

@@ -1,5 +1,5 @@
-/// Files of a run beside those that its experiment file asks for: what options of the program and parameters of the
-/// space's nodelet have in common.
+/// Files of a run in addition to those of its experiment file: the common part of the program's options and the
+/// parameters of the space nodelet.
 #pragma once
 
 #include <memory>
@@ -13,23 +13,23 @@ namespace swarmanoid {
 
 struct RunFiles {
   std::string prefix;                 ///< of the options, for messages: "--", "~"
-  std::string folder;                 ///< made if it is not there; "": the current one
-  OutFolder::Rules rules;             ///< for what is written in it
-  bool records_bag = false;           ///< there is to be a bag: what writes it is loaded
-  bool records_trajectories = false;  ///< likewise
-  bool writes_frames = false;         ///< likewise
-  std::vector<std::string> reads;     ///< files that the run reads beside those of the experiment; "" is none
+  std::string folder;                 ///< created if missing; "": the current one
+  OutFolder::Rules rules;             ///< for files written in it
+  bool records_bag = false;           ///< loads the plugin that writes bags
+  bool records_trajectories = false;  ///< loads the plugin that writes trajectories
+  bool writes_frames = false;         ///< loads the plugin that writes frames
+  std::vector<std::string> reads;  ///< files that the run reads in addition to those of the experiment; "" is skipped
 };
 
-/// The folder of a run's files, in which nothing that the run reads or needs is replaced. To be asked for when the
-/// experiment has loaded its libraries.
+/// The folder of a run's files; protects all files that the run reads or needs. Call it after the experiment has loaded
+/// its libraries.
 /// @throws ConfigError if it cannot be made
 std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment& experiment);
 
-/// Adds an observer that the experiment file does not have.
+/// Adds an observer that is not in the experiment file.
 /// @param context of the run; its experiment is set
-/// @param asked_by the option that asks for it, for messages: "--bag", "~record"
-/// @param parameters named like the observer's label, which is registered
+/// @param asked_by the option that requests it, for messages: "--bag", "~record"
+/// @param parameters named like the observer's label, which must be registered
 /// @throws ConfigError
 void addObserver(Simulation& simulation, RunContext context, const std::string& asked_by, const std::string& id,
                  const Configuration& parameters);

@@ -1,4 +1,4 @@
-/// The result of a run, from which the program's summary, and the message and the line of the log under ROS, follow.
+/// The result of a run, the source of the program's summary, and of the message and the log line under ROS.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,23 @@
 
 namespace swarmanoid {
 
-/// The part of a result that is not in the simulation, but with the caller that ends it.
+/// The part of a result that is known only to the caller that ends the run.
 struct RunEnd {
-  bool finished = false;                    ///< it came to its end; false: it was stopped
+  bool finished = false;                    ///< reached its end; false: was stopped
   std::string message;                      ///< why it was stopped; "" if there is nothing to say
-  double wall_s = 0.0;                      ///< that it took [s]
-  std::optional<std::uint64_t> state_hash;  ///< of the last tick; none: as the simulation is
+  double wall_s = 0.0;                      ///< duration [s]
+  std::optional<std::uint64_t> state_hash;  ///< of the last tick; nothing: computed from the simulation
 };
 
 struct RunResult {
   std::string experiment;
   std::uint64_t seed = 0;
-  std::uint64_t run = 0;     ///< counted up by resets
-  std::uint64_t ticks = 0;   ///< that are finished
+  std::uint64_t run = 0;     ///< incremented by resets
+  std::uint64_t ticks = 0;   ///< finished ticks
   double simulated_s = 0.0;  ///< [s]
   bool finished = false;
   std::string message;
-  std::optional<bool> success;  ///< nothing: no observer judges
+  std::optional<bool> success;  ///< nothing: no rule or observer judges
   Metrics metrics;
   std::vector<ControllerFailure> failures;
   std::vector<Overflow> overflows;

@@ -1,8 +1,8 @@
-/// Runs a simulation on a thread of its own, at a chosen pace; others pause it, step it and act on it between ticks.
+/// Runs a simulation on its own thread, at a chosen pace; other threads pause it, step it and act on it between ticks.
 ///
-/// Threads  all functions from any thread but the simulation's own. They wait for the tick boundary, so when one
-///          returns, what it asked for is done and none sees a half-updated space. A tick that waits for participants
-///          lets them through: see Simulation::tick.
+/// Threads  all functions from any thread except the simulation's own. They wait for the tick boundary: when a function
+///          returns, its request is done, and no caller sees a half-updated space. A tick that waits for participants
+///          is interrupted for them: see Simulation::tick.
 /// Time     paced by the wall clock; nothing here changes what a tick computes.
 #pragma once
 
@@ -23,52 +23,52 @@
 
 namespace swarmanoid {
 
-/// The simulation's thread is in users' code, and has been for too long to wait for it (user_code_watch.hpp).
+/// The simulation's thread has been in users' code for too long to wait for it (user_code_watch.hpp).
 class SimulationBusy : public std::runtime_error {
  public:
-  /// @param call as lateUserCall() says it
+  /// @param call text of lateUserCall()
   explicit SimulationBusy(const std::string& call) : std::runtime_error("busy in " + call) {}
 };
 
-/// Whoever waits for the simulation's thread gets a SimulationBusy instead when that is late in users' code: what was
-/// asked for is not done then, unless it has begun.
+/// A caller that waits for the simulation's thread gets a SimulationBusy if the thread is late in users' code. Its
+/// request is then not carried out, unless it has begun.
 class SimulationThread {
  public:
   enum class State {
     kPaused,
     kRunning,
     kStepping,  ///< paused, with ticks of a step under way
-    kFinished,  ///< only a reset goes on from here; observers may still be completing what they write
-    kStopped    ///< for good: stop() was called, or a tick threw; likewise
+    kFinished,  ///< only a reset continues from here; observers may still be completing their output
+    kStopped    ///< final: stop() was called, or a tick threw; observers may still be completing their output
   };
 
   struct Options {
     bool paused = false;
     double real_time_factor = 0.0;  ///< simulated seconds for each real one; 0: as fast as possible
-    /// Called at a tick boundary, on the simulation's thread, after every change of state and every completed call:
-    /// whoever publishes only now and then has to do it now. The text says why it is kStopped.
+    /// Called at a tick boundary, on the simulation's thread, after every change of state and every completed call, so
+    /// that rarely sent messages can be published now. The text is the reason if the state is kStopped.
     std::function<void(const Simulation&, State, const std::string&)> on_change;
   };
 
   struct StepResult {
     bool is_complete = false;
-    std::string message;  ///< why it is not
+    std::string message;  ///< reason if it is not complete
     std::uint64_t tick = 0;
     Time time;  ///< never goes back, see Space::time_before_reset
   };
 
-  /// Starts the simulation, which has not been started.
+  /// Starts the simulation. @pre Simulation::start was not called
   SimulationThread(std::unique_ptr<Simulation> simulation, Options options);
-  /// Stops; what observers write is completed.
+  /// Stops the simulation; observers complete their output.
   ~SimulationThread();
   SimulationThread(const SimulationThread&) = delete;
   SimulationThread& operator=(const SimulationThread&) = delete;
 
   State state() const;
-  /// Why it is kStopped; "" if it is not.
+  /// Reason of the state kStopped; "" in other states.
   std::string stopReason() const;
 
-  /// Ends a step that is under way too. @return false if it was paused already @throws std::runtime_error if stopped
+  /// Also ends a current step. @return false if it was paused already @throws std::runtime_error if stopped
   bool pause();
   /// @return false if it was running already @throws std::runtime_error if finished or stopped
   bool resume();
@@ -76,32 +76,32 @@ class SimulationThread {
   StepResult step(std::uint64_t ticks);
 
   double realTimeFactor() const;
-  /// Simulated seconds for each real one from now on, over resets too; 0: as fast as possible.
+  /// Sets simulated seconds per real second from now on, over resets too; 0: as fast as possible.
   /// @throws std::runtime_error if stopped @pre it is not negative
   void setRealTimeFactor(double factor);
 
-  /// Acts on the simulation at the next tick boundary. What `action` throws is thrown here.
+  /// Runs an action on the simulation at the next tick boundary. Rethrows exceptions of `action`.
   /// @throws std::runtime_error if stopped
   void call(const std::function<void(Simulation&)>& action);
 
-  /// The same for an action that calls users' code. It owns what it uses, for it may go on after this has thrown a
-  /// SimulationBusy.
+  /// The same for an action that calls users' code. The action must own all its data, since it may continue after this
+  /// function has thrown a SimulationBusy.
   void callUsers(const std::function<void(Simulation&)>& action);
 
-  /// The same for callers that only look; no handler is called.
+  /// The same for callers that only read; does not call on_change.
   void look(const std::function<void(const Simulation&)>& action) const;
 
-  /// Back to before the first tick, paused or running as it is. See Simulation::reset.
-  /// @throws what that throws; the run is stopped then
+  /// Resets to before the first tick; paused or running as before. See Simulation::reset.
+  /// @throws exceptions of Simulation::reset; the run is stopped then
   void reset(std::optional<std::uint64_t> seed, bool rewind);
 
-  /// Ends the run at the next tick boundary, and completes what observers write. Later reasons are ignored.
+  /// Ends the run at the next tick boundary; observers complete their output. Later reasons are ignored.
   void stop(const std::string& reason);
 
  private:
   struct JobKind {
     bool is_change = true;
-    bool owns_all = false;  ///< no caller has to wait for its end
+    bool owns_all = false;  ///< the caller need not wait for its end
   };
   struct Job {
     std::function<void()> action;
@@ -130,18 +130,18 @@ class SimulationThread {
   std::unique_ptr<Simulation> simulation_;
   Options options_;
 
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards all following members
   mutable std::condition_variable wake_;
   mutable std::deque<Job> jobs_;
   mutable std::uint64_t last_job_ = 0;
   State state_ = State::kPaused;
   bool is_over_ = false;                       // the thread takes no more jobs
-  mutable std::atomic<bool> has_jobs_{false};  // written under the mutex, read by a tick that waits
+  mutable std::atomic<bool> has_jobs_{false};  // written under the mutex, read by a waiting tick
   std::optional<std::string> stop_reason_;
 
-  // only used on the thread
+  // used only on the thread
   std::optional<Step> step_;
-  bool is_tick_given_up_ = false;  // it is due, however long the others took
+  bool is_tick_given_up_ = false;  // the next tick is due at once
   std::optional<std::chrono::steady_clock::time_point> next_tick_;
 
   std::thread thread_;

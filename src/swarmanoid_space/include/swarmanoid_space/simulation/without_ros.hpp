@@ -1,11 +1,11 @@
-/// What hosts of a simulation without ROS cannot do.
+/// Limits of hosts without ROS.
 #pragma once
 
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 
 namespace swarmanoid {
 
-/// Frames and topics of other processes do not reach such a host.
+/// Such a host receives no frames and topics of other processes.
 /// @throws ConfigError for the first robot that another process commands
 void refuseRobotsOfOthers(const Experiment& experiment);
 

@@ -1,9 +1,9 @@
-/// Banks: all instances of one device type together, at addresses that stay as long as the robot does.
+/// Banks: all instances of one device type, at addresses that are stable as long as the robot lives.
 ///
-/// A bank is chunks of slots. Adding never moves a slot; removing leaves a hole that a later robot may fill. Devices
-/// meet by the string `Device::kType`, so plugins that were built apart share a bank.
+/// A bank consists of chunks of slots. Adding never moves a slot; removing leaves a hole that a later robot may fill.
+/// Banks are found by the string `Device::kType`, so plugins that were built separately share a bank.
 ///
-/// Threads  add and remove only at a tick boundary; slots of different robots may be written at the same time.
+/// Threads  add and remove only at a tick boundary; slots of different robots may be written concurrently.
 #pragma once
 
 #include <map>
@@ -28,7 +28,7 @@ class BankBase {
 template <class Device>
 class Bank final : public BankBase {
  public:
-  /// A slot with the device's initial value. @pre the entity has none
+  /// Adds a slot with the device's initial value. @pre the entity has none
   Device& add(Row row) {
     SWARMANOID_EXPECTS(find(row) == nullptr);
     if (holes_.empty()) {

@@ -1,5 +1,5 @@
-/// The batteries of robots that have one. What they hold, and at what power they are charged, are properties of the
-/// robot (BatteryProperty), so that rules and services may change them; the rest stands here.
+/// The batteries of robots. Their stores and charging power are properties of the robot (BatteryProperty), so that
+/// rules and services may change them; all other state is here.
 ///
 /// Phase  written in `power`, and between ticks.
 #pragma once
@@ -12,11 +12,11 @@ namespace swarmanoid {
 
 struct BatteryState {
   double standby = 0.0;   ///< of the electronics and the devices of its controller [W]
-  double power = 0.0;     ///< what the robot has drawn in the last tick [W]
-  double input = 0.0;     ///< that has charged it in the last tick [W]
-  double used = 0.0;      ///< of the charge and the capacitor, since the robot is there [J]
+  double power = 0.0;     ///< power drawn by the robot in the last tick [W]
+  double input = 0.0;     ///< power by which it was charged in the last tick [W]
+  double used = 0.0;      ///< of the charge and the capacitor, since the robot was added [J]
   double received = 0.0;  ///< from the property `supply` [J]
-  bool is_empty = false;  ///< the robot is off, and nobody commands it, until it holds enough
+  bool is_empty = false;  ///< the robot is off and not commanded until its charge suffices
 };
 
 inline void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/,
@@ -30,7 +30,7 @@ inline void visitCell(StateVisitor& visitor, const char* name, const CellOwner& 
   }
 }
 
-/// Empty with nothing left, until it holds enough.
+/// Updates `is_empty`: true once nothing is left, false once the charge suffices.
 /// @param stores the properties of the robot
 inline void judgeEmptiness(const BatteryModel& model, Span<const double> stores, BatteryState& state) {
   if (stores[kBatteryCharge] <= 0.0 && stores[kBatteryCapacitor] <= 0.0) {
@@ -40,7 +40,7 @@ inline void judgeEmptiness(const BatteryModel& model, Span<const double> stores,
   }
 }
 
-/// Whether the robot is kept alive by its super-capacitor alone: then its wheels are off.
+/// Whether only the super-capacitor supplies the robot; its wheels are then off.
 inline bool isOnCapacitor(Span<const double> stores, const BatteryState& state) {
   return !state.is_empty && stores[kBatteryCharge] <= 0.0;
 }

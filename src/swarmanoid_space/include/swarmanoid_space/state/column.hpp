@@ -1,12 +1,12 @@
-/// The columns of the space: one value, or one list of values, an entity.
+/// The columns of the space: one value, or one list of values, per entity.
 ///
-/// A column is declared once, as a member of the part of the space that it belongs to, with its name, its writer, what
-/// records it and its default. It enters itself into the list of columns, and whatever concerns all columns goes over
-/// that list: a new entity gets the defaults in each of them, nothing of a deleted one stays, hashes and recordings
-/// visit them in the order of declaration. To add a column is to write its one line.
+/// A column is declared once, as a member of its part of the space, with its name, its writer, its visitors and its
+/// default. Its constructor adds it to the list of columns, and all operations on columns iterate over that list: a new
+/// entity gets the default of each column, data of deleted entities are removed, hashes and recordings visit the
+/// columns in the order of declaration. To add a column, add this one line.
 ///
-/// Threads  columns are made, and rows come and go, only at a tick boundary; values of different entities may be
-///          written at the same time, by the phase that writes the column.
+/// Threads  columns are made, and rows added and removed, only at a tick boundary; values of different entities may be
+///          written concurrently, by the phase that writes the column.
 #pragma once
 
 #include <map>
@@ -23,10 +23,10 @@ namespace swarmanoid {
 /// The phase in which the values of a column change.
 enum class Writer { kBetweenTicks, kControl, kActuate, kMove, kConnect, kIndex, kPower };
 
-/// Who visits the values of a column.
+/// The visitors of a column's values.
 enum class Visits {
-  kNone,        ///< nobody: they are no state, or have no name outside the process
-  kRecordings,  ///< recordings, to compare runs by: they follow from other state, or have no effect on it
+  kNone,        ///< none: the values are not state, or have no name outside the process
+  kRecordings,  ///< recordings, to compare runs: the values follow from other state, or have no effect on it
   kHash         ///< recordings and the hash of the state
 };
 
@@ -45,7 +45,7 @@ class ColumnBase {
 
   const ColumnInfo& info() const { return info_; }
   virtual void resize(std::size_t row_count) = 0;
-  /// Gives the row its default. @param model of its entity; null: there is none any more
+  /// Resets a row to its default. @param model of its entity; null: the row has no entity any more
   virtual void reset(Row row, const EntityModel* model) = 0;
   virtual void visit(StateVisitor& visitor, const CellOwner& owner) const = 0;
 
@@ -58,14 +58,14 @@ class ColumnBase {
   ColumnInfo info_;
 };
 
-/// The list of the columns of one space, in the order in which they were made.
+/// The list of the columns of one space, in the order of their construction.
 class Columns {
  public:
-  /// Rows below `row_count` exist in all columns.
+  /// Sets the number of rows in all columns.
   void resize(std::size_t row_count);
   std::size_t rowCount() const { return row_count_; }
   void reset(Row row, const EntityModel* model);
-  /// Visits the values of an entity: those in the hash, and the others if the visitor wants detail.
+  /// Visits the values of an entity: those in the hash, and all others if the visitor wants detail.
   void visit(StateVisitor& visitor, const CellOwner& owner) const;
   const std::vector<ColumnBase*>& all() const { return columns_; }
 
@@ -85,7 +85,7 @@ struct HasVisitCell<Value,
                     std::void_t<decltype(visitCell(std::declval<StateVisitor&>(), "", std::declval<const CellOwner&>(),
                                                    std::declval<const Value&>()))>> : std::true_type {};
 
-/// @pre a function `visitCell` for values of the type is declared before the column, if anybody visits it
+/// @pre a function `visitCell` for values of the type is declared before the column, unless it has Visits::kNone
 template <class Value>
 void visitIfNamed(StateVisitor& visitor, const ColumnInfo& info, const CellOwner& owner, const Value& value) {
   if constexpr (HasVisitCell<Value>::value) {
@@ -97,7 +97,7 @@ void visitIfNamed(StateVisitor& visitor, const ColumnInfo& info, const CellOwner
 
 }  // namespace detail
 
-/// One value an entity.
+/// One value per entity.
 template <class Value>
 class Column final : public ColumnBase, public ByRow<Value> {
  public:
@@ -128,14 +128,14 @@ class Column final : public ColumnBase, public ByRow<Value> {
   Value initial_;
 };
 
-/// A list of values an entity, as many as its model says.
+/// A list of values per entity, of the length that its model requires.
 template <class Value>
 class ListColumn final : public ColumnBase {
  public:
   using CountOf = std::size_t (*)(const EntityModel& model);
   using InitialOf = Value (*)(const EntityModel& model, std::size_t index);
 
-  /// @param initial_of what the values of a new entity are; null: Value{}
+  /// @param initial_of values of a new entity; null: Value{}
   ListColumn(Columns& columns, const ColumnInfo& info, CountOf count_of, InitialOf initial_of = nullptr)
       : ColumnBase(columns, info), count_of_(count_of), initial_of_(initial_of) {
     places_.resize(columns.rowCount());
@@ -192,7 +192,7 @@ class ListColumn final : public ColumnBase {
   InitialOf initial_of_;
   RowMap<Place> places_;
   std::vector<Value> values_;                              // of all entities
-  std::map<std::size_t, std::vector<std::size_t>> holes_;  // first values of places that are free, by their size
+  std::map<std::size_t, std::vector<std::size_t>> holes_;  // first values of free places, by size
 };
 
 }  // namespace swarmanoid

@@ -1,7 +1,7 @@
-/// All entities, as columns: one row an entity (thesis 3.4: identifier, position, heading).
+/// All entities, as columns: one row per entity (thesis 3.4: identifier, position, heading).
 ///
-/// A row is reused after its entity is deleted; an entity number never is. Whatever must not depend on history (hashes,
-/// random streams, orders) goes by entity number, which is what `order` is sorted by.
+/// A row is reused after its entity is deleted; an entity number never is. Data that must not depend on history
+/// (hashes, random streams, orders) use the entity number, by which `order` is sorted.
 ///
 /// Frames: W, the space's own frame, x, y, z with z up. SI units.
 #pragma once
@@ -25,9 +25,9 @@ struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
 
-  /// A point of the body, in W [m]. @param point in the body's own frame
+  /// Converts a point of the body to W [m]. @param point in the body's own frame
   Eigen::Vector3d toWorld(const Eigen::Vector3d& point) const { return position + orientation * point; }
-  /// Whether body z is along W's z, exactly.
+  /// Whether body z is exactly along W's z.
   bool isUpright() const { return orientation.x() == 0.0 && orientation.y() == 0.0; }
 };
 
@@ -37,8 +37,8 @@ struct Twist {
   Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
 };
 
-/// The mean velocity of an origin whose body keeps its speed and turn rate for `dt`, which is along the chord of its
-/// arc [m/s, in W]. @param twist when the time begins; with a negative `dt` [s], when it ends
+/// The mean velocity of the body's origin during `dt` at constant speed and turn rate; it is along the chord of the arc
+/// [m/s, in W]. @param twist at the start of the interval; for a negative `dt` [s], at its end
 Eigen::Vector3d meanVelocity(const Twist& twist, double dt);
 
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Pose& pose);
@@ -46,19 +46,19 @@ void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, 
 
 class Entities {
  public:
-  /// The entity has the defaults in all columns but those of the arguments. @pre no entity has that name
+  /// Adds an entity, with the defaults in all columns except those of the arguments. @pre no entity has that name
   Row add(const std::string& name, std::shared_ptr<const EntityModel> model, const Pose& pose, Color color);
   void remove(Row row);
-  /// The entity that was added last has been removed at once, and nobody has seen its number: the next one gets it, as
-  /// if that entity had never been.
+  /// Gives the number of the last entity back, so that the next entity gets it. @pre that entity was removed at once,
+  /// before its number was used
   void giveBackLastNumber() { --last_number_; }
-  /// Forgets everything, entity numbers too.
+  /// Removes everything and restarts entity numbers.
   void clear();
 
   /// @return kNoRow if there is none
   Row find(const std::string& name) const;
   Row find(EntityNumber number) const;
-  /// @throws ConfigError, with the name that is most like it, if there is none
+  /// @throws ConfigError with the most similar name, if there is none
   Row require(const std::string& name) const;
 
   std::size_t size() const { return order.size(); }
@@ -68,18 +68,18 @@ class Entities {
 
   std::vector<Row> order;  ///< living rows, by entity number
 
-  Columns columns;  ///< all of the space
+  Columns columns;  ///< all columns of the space
 
-  // `pose` and `twist` are written by the engine that moves the entity, and by nothing else.
+  // `pose` and `twist` are written only by the engine that moves the entity.
   Column<EntityNumber> number{columns, {"number", Writer::kBetweenTicks}};
   Column<std::string> name{columns, {"name", Writer::kBetweenTicks}};
   Column<std::shared_ptr<const EntityModel>> model{columns, {"model", Writer::kBetweenTicks}};
   Column<Pose> pose{columns, {"pose", Writer::kMove, Visits::kHash}};
   Column<Twist> twist{columns, {"twist", Writer::kMove, Visits::kHash}};
-  /// Of the entity's own surface (preys) or light (lamps); black: none that a camera would see. The hash of the state
-  /// has it while it is another one than at first (visitState).
+  /// Colour of the entity's own surface (preys) or light (lamps); black: invisible to cameras. The state hash includes
+  /// it while it differs from first_color (visitState).
   Column<Color> color{columns, {"color", Writer::kBetweenTicks, Visits::kRecordings}};
-  /// `color` when the entity came into the space.
+  /// `color` when the entity was added to the space.
   Column<Color> first_color{columns, {"first_color", Writer::kBetweenTicks}};
 
  private:

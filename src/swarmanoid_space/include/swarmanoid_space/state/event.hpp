@@ -1,4 +1,4 @@
-/// What happened in a tick, in words that a recording can tell the story with.
+/// Events of a tick, with texts for recordings.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,21 @@ struct Event {
     kAttached,          ///< `entity` grips `other`
     kReleased,          ///< `entity` let go of `other`
     kControllerFailed,  ///< the controller of `entity` threw or commanded a number that is not finite; the robot stops
-    kLeftArena,         ///< the origin of `entity` is outside the arena since this tick, or 0.1 m below its ground
-    kOverflow,          ///< a sensor of `entity` saw more than it can report
+    kLeftArena,  ///< the origin of `entity` has been outside the arena since this tick, or 0.1 m below its ground
+    kOverflow,   ///< a sensor of `entity` saw more than it can report
     kSpawned,
     kDeleted,
-    kMoved,         ///< put elsewhere from outside
-    kIntervention,  ///< anything else that came from outside
+    kMoved,         ///< teleported from outside
+    kIntervention,  ///< any other intervention from outside
     kFinished,
-    kHandedOver,       ///< another engine moves `entity` from now on; the text says which
-    kHandoverRefused,  ///< a rule asked for it, and `entity` stays where it is; the text says why
-    kEngineTrouble,    ///< an engine had to make do with something worse than its method; the text says which and what
-    kParticipantLate,  ///< a process that commands robots has not answered in time; the text says what follows
-    kParticipantJoined,    ///< one has registered, or is back
-    kAnswerRefused,        ///< one answered twice, or for a wrong tick; the first time
-    kInterventionRefused,  ///< a rule asked for what may be refused, and was; the text says why
-    kFellIntoHole          ///< `entity` is out of the world since this tick; the text names the hole
+    kHandedOver,           ///< another engine moves `entity` from now on; the text names it
+    kHandoverRefused,      ///< a rule requested it, and `entity` stays in its engine; the text has the reason
+    kEngineTrouble,        ///< an engine had to use a fallback for its method; the text has engine and details
+    kParticipantLate,      ///< a process that commands robots has not answered in time; the text has the consequence
+    kParticipantJoined,    ///< such a process has registered, or is back
+    kAnswerRefused,        ///< such a process answered twice, or for a wrong tick; reported once
+    kInterventionRefused,  ///< a rule requested it by InterventionQueue::tryTo; the text has the reason
+    kFellIntoHole          ///< `entity` has been removed from the world in this tick; the text names the hole
   };
 
   Kind kind;

@@ -1,7 +1,7 @@
-/// Where robots' joints are, and the links that they turn.
+/// The states of robots' joints, and the poses of the links that they turn.
 ///
-/// Frames: B, the body frame of the entity's model. Angles [rad] are right-handed about the joints' axes and 0 where
-/// the URDF has them; those of endless joints are in (-pi, pi].
+/// Frames: B, the body frame of the entity's model. Angles [rad] are right-handed about the joints' axes, with the zero
+/// of the URDF; those of continuous joints are in (-pi, pi].
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,28 +14,28 @@
 namespace swarmanoid {
 
 struct JointState {
-  double angle = 0.0;   ///< [rad]
-  double speed = 0.0;   ///< [rad/s]
-  double effort = 0.0;  ///< that the robot's motor and stops gave at last, along positive angles; of no engine without
-                        ///< forces [N m]
+  double angle = 0.0;  ///< [rad]
+  double speed = 0.0;  ///< [rad/s]
+  /// Last torque of the motor and the stops, along positive angles; unused by engines without forces [N m].
+  double effort = 0.0;
 };
 
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, Span<const JointState> joints);
 
-/// How the link that a joint turns lies off from where it is with all joints at zero: a point of it that then is at p
-/// in B is at displacement * p. @param joint an index of the model's joints; -1: the body, which is never displaced
-/// @param states one for each of the model's joints; none: all are at zero
+/// Displacement of a joint's link from its pose with all joints at zero: a point of the link at p in B moves to
+/// displacement * p. @param joint an index of the model's joints; -1: the body, which is never displaced
+/// @param states one for each of the model's joints; empty: all at zero
 Eigen::Isometry3d displacementOf(const EntityModel& model, Span<const JointState> states, int joint);
 
-/// A shape of the model where the joints have turned it.
+/// A shape of the model, turned by its joints.
 CollisionShape placeOf(const EntityModel& model, Span<const JointState> states, const CollisionShape& shape);
 
-/// The model's shapes where the joints have turned them, for callers that ask about an entity that is not in its engine
-/// yet; `model` itself, if all joints that turn shapes are at zero. Allocates.
+/// The model with its shapes turned by the joints, for queries about an entity that is not in its engine yet; `model`
+/// itself if all joints that turn shapes are at zero. Allocates.
 std::shared_ptr<const EntityModel> posedModel(const std::shared_ptr<const EntityModel>& model,
                                               Span<const JointState> states);
 
-/// Where a device sits now, in B. @throws std::out_of_range if there is no such mount
+/// The current pose of a device in B. @throws std::out_of_range if there is no such mount
 Mount placeOf(const EntityModel& model, Span<const JointState> states, const std::string& mount);
 
 }  // namespace swarmanoid

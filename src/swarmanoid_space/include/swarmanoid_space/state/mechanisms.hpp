@@ -1,39 +1,38 @@
-/// What actuators command the mechanisms of a robot to do. Engines read nothing else of a robot's commands; what
-/// mechanisms do stands in the wheel turns, the joints, the structural tree and the attachments of the space.
+/// Commands of actuators to the mechanisms of a robot. Engines read no other commands of a robot; the actual motion of
+/// mechanisms is in the wheel turns, the joints, the structural tree and the attachments of the space.
 ///
-/// Phase  commands are written in `actuate`, and when the actuator is added to its robot: from then on the mechanism is
-///        commanded.
+/// Phase  commands are written in `actuate`, and when the actuator is added to its robot, from which time the mechanism
+///        is commanded.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace swarmanoid {
 
-/// What part of what each wheel turns passes under it as ground, above 0: less than 1 where it slips.
+/// Ratio of ground distance to rolled distance of each wheel, above 0: less than 1 if it slips.
 struct WheelGrip {
   double left = 1.0;
   double right = 1.0;
 };
 
-/// Angular velocities with which the ground is to pass under the wheels [rad/s]. Motors turn them by 1 / `grip` as
-/// fast.
+/// Ground distance per time under the wheels, as angular velocities [rad/s]. Motors turn the wheels faster, by
+/// 1 / `grip`.
 struct WheelsCommand {
-  bool is_driven = false;  ///< false: the robot has no actuator for them, and nothing drives or brakes it
+  bool is_driven = false;  ///< false: the robot has no actuator for them; nothing drives or brakes it
   double left = 0.0;
   double right = 0.0;
-  WheelGrip grip = {};  ///< of this tick; engines do not ask for it
+  WheelGrip grip = {};  ///< of this tick; engines do not read it
 };
 
-/// What the wheels have really turned since the entity came into the space [rad], positive drives ahead: the engine
-/// that moves the robot adds to it in `move`. Where a robot is blocked, or slips, its wheels turn all the same: an
-/// actuator whose wheels slip, and which commands the engine what the ground is to pass under them, adds what they have
-/// turned besides in `afterMove`. Moving it from outside turns no wheel.
+/// Actual wheel angles since the entity was added to the space [rad], positive ahead. The engine that moves the robot
+/// adds to them in `move`. The wheels of a robot that is blocked or slips turn all the same: since the command of a
+/// slipping wheel is its ground distance, the actuator adds the rest in `afterMove`. Moves from outside turn no wheel.
 struct WheelTurns {
   double left = 0.0;
   double right = 0.0;
 };
 
-/// In the frame that has the robot's heading and stands upright.
+/// In an upright frame with the robot's heading.
 struct FlightCommand {
   bool is_driven = false;
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< [m/s]
@@ -43,9 +42,9 @@ struct FlightCommand {
 struct JointCommand {
   enum class Mode {
     kNone,    ///< the robot has no actuator for it
-    kAngle,   ///< turns to the angle `value` [rad], and holds it
+    kAngle,   ///< turns to the angle `value` [rad] and holds it
     kSpeed,   ///< turns at the speed `value` [rad/s]
-    kPassive  ///< the motor is off: forces turn it
+    kPassive  ///< the motor is off: external forces turn it
   };
 
   Mode mode = Mode::kNone;
@@ -54,7 +53,7 @@ struct JointCommand {
 
 struct HolderCommand {
   bool is_commanded = false;   ///< false: the robot has no actuator for it
-  bool holds = false;          ///< takes hold of what it reaches, or keeps it; false: lets go
+  bool holds = false;          ///< grips or attaches to an entity in reach, and keeps it; false: releases it
   double winding_speed = 0.0;  ///< of a rope: positive shortens it [m/s]
 };
 

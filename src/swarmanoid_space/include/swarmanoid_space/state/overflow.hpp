@@ -1,4 +1,4 @@
-/// Sensors that had more in sight than they can report: how often in a run, device by device.
+/// Overflows: sensors with more in sight than they can report, and how often in a run, by device.
 #pragma once
 
 #include <algorithm>
@@ -8,17 +8,17 @@
 
 namespace swarmanoid {
 
-/// One device of one robot. It outlives its robot, as a part of what the run's results are worth.
+/// The overflows of one device of one robot. The entry outlives its robot, since it qualifies the results of the run.
 struct Overflow {
   std::string robot;
   std::string device;            ///< its type, such as "footbot_camera"
   std::string text;              ///< "footbot_camera: more than 128 blobs"
-  std::uint64_t first_tick = 0;  ///< as Space::tick counts
-  std::uint64_t readings = 0;    ///< that were cut short, one a tick at the most
+  std::uint64_t first_tick = 0;  ///< in the count of Space::tick
+  std::uint64_t readings = 0;    ///< truncated readings, at most one per tick
 };
 
-/// The place of a device in the list, where it is put if it is not there yet. Allocates then, so a sensor asks once,
-/// when it first overflows. A robot that was deleted and spawned again has the place that it had.
+/// The index of a device in the list; adds the device if it is missing. This allocates, so a sensor calls it once, on
+/// its first overflow. A robot that was deleted and spawned again keeps its entry.
 inline std::size_t overflowOf(std::vector<Overflow>& overflows, const std::string& robot, const std::string& device) {
   const auto found = std::find_if(overflows.begin(), overflows.end(), [&](const Overflow& overflow) {
     return overflow.robot == robot && overflow.device == device;

@@ -1,4 +1,4 @@
-/// Where entities stand in the columns of the space, and their numbers; and values kept by row.
+/// Rows and numbers of entities; and containers of values by row.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace swarmanoid {
 
-/// Where an entity stands in the columns. A row is used again after its entity is deleted, so it names an entity only
-/// within a tick. A type of its own: neither an index of anything else nor an entity number is taken for it.
+/// Index of an entity in the columns. A row is reused after its entity is deleted, so it identifies an entity only
+/// within a tick. A separate type, so that neither other indices nor entity numbers are accepted for it.
 enum class Row : std::int32_t {};
 
-/// An entity for ever: numbers begin with 1 and are never used again.
+/// Permanent number of an entity: numbers begin with 1 and are never reused.
 enum class EntityNumber : std::uint64_t {};
 
 constexpr Row kNoRow{-1};
@@ -24,7 +24,7 @@ constexpr EntityNumber kNoEntity{0};
 constexpr std::size_t toIndex(Row row) { return static_cast<std::size_t>(row); }
 constexpr Row rowAt(std::size_t index) { return static_cast<Row>(index); }
 
-/// One value a row. Which rows exist is decided by those who derive from it.
+/// One value per row. Derived classes decide which rows exist.
 template <class Value>
 class ByRow {
  public:
@@ -40,7 +40,7 @@ class ByRow {
 
   bool has(Row row) const { return row != kNoRow && toIndex(row) < values_.size(); }
 
-  // All values by row, those of rows without an entity among them.
+  // All values by row, including those of rows without an entity.
   auto begin() { return values_.begin(); }
   auto end() { return values_.end(); }
   auto begin() const { return values_.begin(); }
@@ -52,12 +52,11 @@ class ByRow {
   std::vector<Value> values_;
 };
 
-/// For whoever keeps something of their own by entity: rows beyond the last that was written to do not exist until
-/// `fit` makes them.
+/// For private data by entity: rows beyond the last one written do not exist until `fit` makes them.
 template <class Value>
 class RowMap : public ByRow<Value> {
  public:
-  /// Makes rows up to this one exist; those that are new get the value. @return the value of the row
+  /// Makes all rows up to this one exist; new rows get the value. @return the value of the row
   template <class... Initial>
   Value& fit(Row row, const Initial&... initial) {
     if (!this->has(row)) {
@@ -65,7 +64,7 @@ class RowMap : public ByRow<Value> {
     }
     return this->values_[toIndex(row)];
   }
-  /// Rows below `count` exist, and no others.
+  /// Makes exactly the rows below `count` exist.
   void resize(std::size_t count) { this->values_.resize(count); }
   void clear() { this->values_.clear(); }
 };

@@ -1,9 +1,9 @@
-/// Who grips whom (thesis 3.4, "structural information").
+/// The graph of grips between entities (thesis 3.4, "structural information").
 ///
-/// The gripped entity is the parent of those that grip it; an entity grips at most one other, so every structure is a
-/// tree whose root is what grips nothing. A grip that would close a loop is refused.
+/// The gripped entity is the parent of its grippers. An entity grips at most one other, so every structure is a tree;
+/// its root grips nothing. A grip that would close a loop is refused.
 ///
-/// Phase   written by engines in `connect`; read by anyone else.
+/// Phase   written by engines in `connect`; read in other phases.
 #pragma once
 
 #include <string>
@@ -21,20 +21,20 @@ class StructuralTree {
 
   /// @return false, and nothing changes, if `gripper` already grips something or the grip would close a loop
   bool connect(Row gripper, Row gripped);
-  /// @return what was gripped; kNoRow if nothing was
+  /// @return the entity that was gripped; kNoRow if there was none
   Row release(Row gripper);
-  /// Lets go of everything that `row` grips or is gripped by, such as before it is deleted.
+  /// Releases all grips of which `row` is the gripper or the gripped entity, for example before it is deleted.
   void isolate(Row row);
 
   Row grippedBy(Row gripper) const { return parent_[gripper]; }
   const std::vector<Row>& grippersOf(Row gripped) const { return children_[gripped]; }
-  /// The entity at the bottom of the structure that `row` belongs to; itself if it grips nothing.
+  /// The root of the structure that `row` belongs to; itself if it grips nothing.
   Row root(Row row) const;
   /// All members of `row`'s structure: the root first, then the others, parents before children.
   std::vector<Row> members(Row row) const;
 
  private:
-  /// Has room for a few from the start, in copies too, so that a grip allocates nothing.
+  /// Reserves memory for a few entries, in copies too, so that a grip does not allocate.
   struct Grippers : std::vector<Row> {
     Grippers() { reserve(2); }
     Grippers(const Grippers& other) : Grippers() { assign(other.begin(), other.end()); }

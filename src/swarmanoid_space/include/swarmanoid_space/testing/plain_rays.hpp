@@ -1,5 +1,4 @@
-/// What a camera that sees all around has in sight, found the long way: one ray to each LED. For tests of cameras that
-/// find it faster.
+/// LEDs in sight of an omnidirectional camera by brute force, one ray to each LED. The reference in tests of cameras.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,10 +10,10 @@
 
 namespace swarmanoid {
 
-/// Colour, and distance [m].
+/// Colour and distance [m].
 using SeenLed = std::tuple<int, int, int, float>;
 
-/// Returns the lit LEDs, lamps and preys in sight, by entity numbers. @param eye in W [m] @param range horizontal [m]
+/// Returns the lit LEDs, lamps and preys in sight, by entity number. @param eye in W [m] @param range horizontal [m]
 inline std::vector<SeenLed> ledsByPlainRays(const Space& space, Row self, const Eigen::Vector3d& eye, double range) {
   constexpr double kOwnSurface = 1e-6;
   std::vector<SeenLed> seen;
@@ -39,7 +38,7 @@ inline std::vector<SeenLed> ledsByPlainRays(const Space& space, Row self, const 
   return seen;
 }
 
-/// The same of a camera's readings.
+/// The same list from a camera's readings.
 template <class Camera>
 std::vector<SeenLed> ledsOf(const Camera& camera) {
   std::vector<SeenLed> seen;

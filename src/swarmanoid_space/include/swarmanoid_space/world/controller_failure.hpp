@@ -6,7 +6,7 @@
 
 namespace swarmanoid {
 
-/// It threw in a step (or in destroy), or commanded a number that is not finite.
+/// The controller threw in a step (or in destroy), or commanded a number that is not finite.
 struct ControllerFailure {
   std::string robot;
   std::uint64_t tick = 0;

@@ -11,8 +11,8 @@ namespace swarmanoid {
 struct EngineReport {
   std::string id;
   std::string label;
-  std::size_t moved = 0;     ///< entities that it moves
-  std::size_t mirrored = 0;  ///< entities that it keeps a mirror of
+  std::size_t moved = 0;     ///< entities moved by this engine
+  std::size_t mirrored = 0;  ///< entities mirrored in this engine
   EngineHealth health;
 };
 

@@ -1,4 +1,4 @@
-/// What may be supplied to a simulation from outside instead of being made from the registry.
+/// Parts that are supplied to a simulation from outside instead of being made from the registry.
 #pragma once
 
 #include <functional>
@@ -17,16 +17,16 @@
 
 namespace swarmanoid {
 
-/// By id. Nodelets supply engines and controllers, the bindings to Python controllers of groups, and rules.
+/// Maps by id. Nodelets supply engines and controllers; the Python bindings supply group controllers and rules.
 struct SuppliedParts {
   std::map<std::string, std::shared_ptr<Engine>> engines;  ///< already configured
   std::map<std::string, std::function<std::shared_ptr<Controller>()>> controllers;
-  /// Instead of the controller that the experiment file names for the configuration.
+  /// Replace the controllers that the experiment file names for these configurations.
   std::map<std::string, std::shared_ptr<GroupController>> group_controllers;
-  /// Called after those of the experiment file, in this order, and configured without parameters; one that has the id
-  /// of a rule of the file stands in its place, and is given its parameters.
+  /// Called after the rules of the experiment file, in this order, and configured without parameters; a rule with the
+  /// id of a rule of the file replaces that one and gets its parameters.
   std::vector<std::pair<std::string, std::shared_ptr<Rule>>> rules;
-  std::shared_ptr<ScriptHost> scripts;       ///< null: if anything is in Python, the suite's own is loaded
+  std::shared_ptr<ScriptHost> scripts;       ///< null: the suite's own host is loaded if any part is in Python
   std::shared_ptr<CommandMailbox> commands;  ///< for robots commanded over topics; null: there are none
 };
 

@@ -1,4 +1,4 @@
-// A fault: the device says or does nothing any more.
+// A fault: the device no longer reads or acts.
 #include "swarmanoid_space/error_models/error_model.hpp"
 
 namespace swarmanoid {
@@ -14,7 +14,7 @@ class Dead final : public WholeFieldError {
 
   void apply(const ErrorStep& step) const override {
     if (step.isActive()) {
-      step.restore(0);  // nothing is ever kept there
+      step.restore(0);  // the slot is never written, so it has the values at rest
     }
   }
 };

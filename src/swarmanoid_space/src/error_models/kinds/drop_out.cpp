@@ -1,4 +1,4 @@
-// Values that get lost: what came last stays.
+// Lost values: the last value stays.
 #include "swarmanoid_space/error_models/error_model.hpp"
 
 namespace swarmanoid {

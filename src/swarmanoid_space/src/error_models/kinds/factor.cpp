@@ -1,4 +1,4 @@
-// A wrong scale: the same in each tick, or one that changes with each.
+// A wrong scale, constant or drawn anew in each tick.
 #include "swarmanoid_space/error_models/error_model.hpp"
 
 namespace swarmanoid {

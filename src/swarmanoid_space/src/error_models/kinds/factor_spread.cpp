@@ -1,4 +1,4 @@
-// Robots that are not alike: each has a scale of its own.
+// Variation among robots: each has a scale of its own.
 #include "swarmanoid_space/error_models/error_model.hpp"
 
 namespace swarmanoid {

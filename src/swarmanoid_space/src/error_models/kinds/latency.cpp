@@ -1,4 +1,4 @@
-// Values that come late.
+// Delayed values.
 #include "swarmanoid_space/error_models/error_model.hpp"
 
 namespace swarmanoid {

@@ -1,4 +1,4 @@
-// Robots that are not alike: each has an offset of its own.
+// Variation among robots: each has an offset of its own.
 #include "swarmanoid_space/error_models/error_model.hpp"
 
 namespace swarmanoid {

@@ -1,4 +1,4 @@
-// Numbers as a converter with few digits has them.
+// Numbers rounded to the steps of a converter.
 #include <cmath>
 
 #include "swarmanoid_space/error_models/error_model.hpp"

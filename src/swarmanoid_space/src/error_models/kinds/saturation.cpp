@@ -1,4 +1,4 @@
-// Bounds that a number does not leave.
+// Numbers clamped to bounds.
 #include <algorithm>
 
 #include "swarmanoid_space/error_models/error_model.hpp"

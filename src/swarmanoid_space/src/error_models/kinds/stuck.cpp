@@ -1,4 +1,4 @@
-// A fault: the value of one tick stays for ever.
+// A fault: the value of the first tick in which it acts stays for ever.
 #include "swarmanoid_space/error_models/error_model.hpp"
 
 namespace swarmanoid {

@@ -1,4 +1,4 @@
-// Where eyebots are charged: they hold on to it with their magnets (thesis 1).
+// A charger for eyebots, which hold on to it with their magnets (thesis 1).
 #include <array>
 
 #include "swarmanoid_space/models/arena_object.hpp"

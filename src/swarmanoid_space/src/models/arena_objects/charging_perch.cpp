@@ -1,4 +1,4 @@
-// Where robots are charged.
+// A charger for robots.
 #include <array>
 
 #include "swarmanoid_space/models/arena_object.hpp"

@@ -1,4 +1,4 @@
-// What robots grip and carry.
+// An object for robots to grip and carry.
 #include <array>
 
 #include "swarmanoid_space/models/arena_object.hpp"

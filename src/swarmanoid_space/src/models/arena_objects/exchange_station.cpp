@@ -1,4 +1,4 @@
-// Where the batteries of robots are swapped (thesis 1, figure 1.1 d).
+// A station that swaps the batteries of robots (thesis 1, figure 1.1 d).
 #include <array>
 
 #include "swarmanoid_space/models/arena_object.hpp"

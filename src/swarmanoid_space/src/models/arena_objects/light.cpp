@@ -1,4 +1,4 @@
-// What shines.
+// A lamp.
 #include "swarmanoid_space/models/arena_object.hpp"
 
 namespace swarmanoid {

@@ -1,4 +1,4 @@
-// What sounds.
+// A source of sound.
 #include <array>
 
 #include "swarmanoid_space/models/arena_object.hpp"

@@ -1,4 +1,4 @@
-// What robots read and write by radio.
+// A tag that robots read and write by radio.
 #include <array>
 
 #include "swarmanoid_space/models/arena_object.hpp"

@@ -1,4 +1,4 @@
-// What shines in one direction.
+// A lamp with a light cone.
 #include "swarmanoid_space/models/spot_light.hpp"
 
 #include <array>

@@ -17,12 +17,12 @@ using bag_records::Operation;
 
 namespace {
 
-constexpr std::size_t kChunkSize = std::size_t{768} << 10U;  // as rosbag's [bytes]
+constexpr std::size_t kChunkSize = std::size_t{768} << 10U;  // same as rosbag's [bytes]
 constexpr std::uint32_t kVersion = 1;                        // of index and overview
 constexpr std::string_view kFirstLine = "#ROSBAG V2.0\n";
-constexpr std::size_t kFileHeaderSize = 4096;  // with padding, so that it can be written anew in its place
+constexpr std::size_t kFileHeaderSize = 4096;  // with padding, so that it can be rewritten in place
 
-/// Of an index record, without its entries: a header with op, ver, conn and count, and the length of the data.
+/// Size of an index record without its entries: a header with op, ver, conn and count, and the length of the data.
 constexpr std::size_t kIndexHeaderSize = 4 + (4 + 4) + (4 + 8) + (4 + 9) + (4 + 10) + 4;
 constexpr std::size_t kConnectionInIndex = 4 + (4 + 4) + (4 + 8) + 4 + 5;
 constexpr std::size_t kCountInIndex = kConnectionInIndex + 4 + 4 + 6;
@@ -54,7 +54,7 @@ std::uint32_t BagFile::addTopic(const std::string& name, const Topic& topic) {
   connections_.emplace_back();
   Bytes& record = connections_.back().record;
   Header(record, Operation::kConnection).field("conn", number).field("topic", name);
-  Header data(record);  // laid out as a header, its length included
+  Header data(record);  // same layout as a header, including the length
   data.field("topic", name).field("type", topic.type).field("md5sum", topic.md5sum);
   data.field("message_definition", topic.definition);
   if (topic.is_latched) {
@@ -95,7 +95,7 @@ void BagFile::complete() {
   }
 }
 
-/// Makes the file ready for more chunks.
+/// Prepares the file for more chunks.
 void BagFile::begin() {
   if (!has_begun_) {
     file_.truncate(0);
@@ -157,13 +157,14 @@ void BagFile::writeChunk() {
   }
 }
 
-/// Fills packed_, or leaves it empty if the messages stay as they are. @return what the format calls it
+/// Compresses the messages into packed_, which stays empty if they are not compressed. @return the format's name for
+/// the compression
 const char* BagFile::compressed() {
   packed_.clear();
   if (compression_ == Compression::kNone) {
     return "none";
   }
-  constexpr std::size_t kOverhead = 4096;  // more than either format adds to what cannot be compressed
+  constexpr std::size_t kOverhead = 4096;  // above the overhead of either format for incompressible data
   packed_.resize(messages_.size() + messages_.size() / 64 + kOverhead);
   unsigned int size = lengthOf(packed_);
   constexpr int kBlocks = 6;  // of 1 MiB
@@ -212,7 +213,7 @@ void BagFile::writeEnd() {
   is_complete_ = true;
 }
 
-/// How many messages of each topic are in the chunk stands in its index, and is read from there.
+/// Appends the overview of a chunk. The number of messages of each topic is read from the chunk's index.
 void BagFile::appendOverview(std::size_t chunk) {
   const Chunk& about = chunks_[chunk];
   Bytes index((chunk + 1 < chunks_.size() ? chunks_[chunk + 1].place : end_) - about.index);
@@ -235,7 +236,8 @@ void BagFile::appendOverview(std::size_t chunk) {
   output_.insert(output_.end(), counts.begin(), counts.end());
 }
 
-/// The end takes room too: as many chunks go as it needs.
+/// Writes the end on a full disk. It needs space too, so the last chunks are removed until it fits.
+/// @return false if no chunk is left
 bool BagFile::endBeforeProblem() noexcept {
   while (!chunks_.empty()) {
     try {

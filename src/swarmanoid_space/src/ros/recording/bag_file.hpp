@@ -1,14 +1,14 @@
 /// A file of the format "ROSBAG V2.0", written without a master.
 ///
-/// The library's rosbag::Bag does not serve here: it keeps what it has to itself until a chunk is full, throws out of
-/// its destructor when the disk is full, and remembers every topic of every chunk, which is a gigabyte an hour for a
-/// thousand robots. This one hands over whole chunks, keeps a bag complete on a full disk, and remembers a few bytes a
-/// chunk. Players and `rosbag reindex` are the library's.
+/// The library's rosbag::Bag is not suitable: it buffers data until a chunk is full, throws out of its destructor when
+/// the disk is full, and remembers every topic of every chunk, which is a gigabyte an hour for a thousand robots. This
+/// class writes whole chunks, keeps a bag complete on a full disk, and remembers a few bytes per chunk. Players and
+/// `rosbag reindex` are the library's.
 ///
-/// Layout  a line, the file's header, then chunks of messages, each with an index of its topics behind it; at the end
-///         all topics, and an overview of all chunks, which the file's header points to. A bag without the end is one
-///         that `rosbag reindex` completes.
-/// Errors  std::runtime_error that names writer, file and reason, once; what comes after is dropped.
+/// Layout  a line, the file's header, then chunks of messages, each followed by an index of its topics; at the end all
+///         topics, and an overview of all chunks, which the file's header points to. `rosbag reindex` completes a bag
+///         without this end.
+/// Errors  std::runtime_error that names writer, file and reason, once; later data is dropped.
 #pragma once
 
 #include <ros/time.h>
@@ -31,23 +31,23 @@ class BagFile {
     std::string type;
     std::string md5sum;
     std::string definition;
-    bool is_latched = false;  ///< a player will latch it
+    bool is_latched = false;  ///< players latch it
   };
 
-  /// The file is replaced with the first message.
+  /// Sets the file; its old content is replaced with the first message.
   void open(OutDescriptor file, Compression compression);
 
-  /// @return its number; nothing if it was not added
+  /// @return its number; nothing if it has not been added
   std::optional<std::uint32_t> findTopic(const std::string& name) const;
   std::uint32_t addTopic(const std::string& name, const Topic& topic);
 
-  /// Goes on with a bag that is complete.
-  /// @param size of the message [bytes] @return where the message goes; good until the next call
+  /// Adds a message; a complete bag is continued.
+  /// @param size of the message [bytes] @return buffer for the message, valid until the next call
   std::uint8_t* add(std::uint32_t topic, const ros::Time& stamp, std::uint32_t size);
 
-  /// What was added is in the file from here on.
+  /// Writes all added messages to the file.
   void flush();
-  /// As flush, and the bag has its end.
+  /// As flush, and writes the end of the bag.
   void complete();
 
  private:
@@ -63,7 +63,7 @@ class BagFile {
   };
   struct Chunk {
     std::uint64_t place;
-    std::uint64_t index;  // where the index of its topics begins
+    std::uint64_t index;  // position of the index of its topics
     ros::Time first;
     ros::Time last;
   };
@@ -81,9 +81,9 @@ class BagFile {
   std::map<std::string, std::uint32_t> numbers_;  // by topic
   std::vector<Connection> connections_;
   std::vector<Chunk> chunks_;
-  std::uint64_t end_ = 0;  // of the last chunk and its index
+  std::uint64_t end_ = 0;  // end of the last chunk and its index
   Bytes messages_;         // of the open chunk
-  Bytes packed_;           // these compressed
+  Bytes packed_;           // messages_, compressed
   Bytes output_;
   bool has_begun_ = false;
   bool is_complete_ = false;

@@ -1,7 +1,7 @@
 /// The bytes of records in files of the format "ROSBAG V2.0" (wiki.ros.org/Bags/Format/2.0).
 ///
-/// A record is a header and data, each with its length in front. A header is a list of name=value, each with its length
-/// in front. Numbers are little-endian, as this computer has them.
+/// A record is a header and data, each preceded by its length. A header is a list of name=value, each preceded by its
+/// length. Numbers are little-endian, as on this computer.
 #pragma once
 
 #include <ros/time.h>
@@ -40,7 +40,7 @@ inline void append(Bytes& bytes, const ros::Time& time) {
   append(bytes, time.nsec);
 }
 
-/// Appends a header, its length included, to bytes; fields go in between construction and destruction.
+/// Appends a header, with its length, to bytes; fields are added between construction and destruction.
 class Header {
  public:
   explicit Header(Bytes& bytes) : bytes_(bytes), start_(bytes.size()) { append(bytes_, std::uint32_t{0}); }

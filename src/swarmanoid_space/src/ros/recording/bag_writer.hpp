@@ -1,4 +1,4 @@
-/// Messages into a bag, in simulated time.
+/// Writes messages to a bag, in simulated time.
 #pragma once
 
 #include <ros/message_traits.h>
@@ -12,10 +12,10 @@ namespace swarmanoid {
 
 class BagWriter {
  public:
-  /// @throws std::runtime_error, as all functions here, see BagFile
+  /// @throws std::runtime_error, as do all functions here, see BagFile
   void open(OutDescriptor file, BagFile::Compression compression) { file_.open(std::move(file), compression); }
   void flush() { file_.flush(); }
-  /// Completes the bag; a later message goes on with it.
+  /// Completes the bag; a later message continues it.
   void complete() { file_.complete(); }
 
   template <class Message>
@@ -23,7 +23,7 @@ class BagWriter {
     writeTo(topic, time, message, false);
   }
 
-  /// A player will latch the topic, as the space does.
+  /// Writes to a topic that players latch, as the space does.
   template <class Message>
   void writeLatched(const std::string& topic, const ros::Time& time, const Message& message) {
     writeTo(topic, time, message, true);

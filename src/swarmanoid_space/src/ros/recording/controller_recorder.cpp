@@ -11,7 +11,7 @@
 namespace swarmanoid {
 namespace {
 
-/// The tick that has just ended, not the one that comes.
+/// Stamp of the tick that has just ended, not of the next one.
 FrameStamp tickOf(const Space& space) { return {0, space.run, space.tick - 1}; }
 
 Time timeOf(const Space& space) { return space.time - space.clocktick; }
@@ -20,7 +20,7 @@ ros::Time bagTimeOf(const Space& space) { return toRosTime(timeOf(space) + space
 
 std::string topicOf(const std::string& robot, const char* what) { return "/" + robot + "/controller/" + what; }
 
-/// @return why its controller stopped it in this tick
+/// @return the reason for which the robot's controller failed in this tick
 const std::string& failureOf(const std::string& robot, const Space& space) {
   static const std::string kUnknown = "failed";
   for (const Event& event : space.events) {

@@ -1,8 +1,8 @@
-/// What controllers saw and did, for `replay`: of each robot asked for the topics controller/start, controller/sensors
-/// and controller/commands in its namespace, one robot in a frame, in session 0.
+/// Records the inputs and outputs of controllers, for `replay`: for each selected robot the topics controller/start,
+/// controller/sensors and controller/commands in its namespace, one robot per frame, in session 0.
 ///
-/// There is a pair of frames for each tick in which a controller answered, in this process or in another, and a start
-/// before the first of them and whenever a controller was started anew. A tick has the stamp that the controller saw.
+/// Each tick in which a controller answered, in this process or in another, has a pair of frames. A start precedes the
+/// first of them and each restart of the controller. A tick has the stamp that the controller received.
 #pragma once
 
 #include <swarmanoid_msgs/CommandFrame.h>
@@ -23,11 +23,11 @@ class ControllerRecorder {
  public:
   ControllerRecorder() = default;
   /// @param robots names separated by spaces, all, or none
-  /// @param experiment that has them; null: names are not checked
-  /// @throws ConfigError for a name that is none
+  /// @param experiment of these robots; null: names are not checked
+  /// @throws ConfigError for an unknown name
   ControllerRecorder(const std::string& robots, const Experiment* experiment);
 
-  /// The tick that has just ended. @throws std::runtime_error for a device that no REGISTER_DEVICE describes
+  /// Records the tick that has just ended. @throws std::runtime_error for a device that no REGISTER_DEVICE describes
   void record(const Space& space, BagWriter& bag);
 
  private:

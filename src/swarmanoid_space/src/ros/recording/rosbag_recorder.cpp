@@ -1,4 +1,4 @@
-// Records a run into a rosbag: no master, nothing is lost, and the stamps are simulated time.
+// Records a run into a rosbag: without a master, without loss, with stamps in simulated time.
 #include <std_msgs/String.h>
 
 #include "bag_writer.hpp"

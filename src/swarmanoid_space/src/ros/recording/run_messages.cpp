@@ -21,7 +21,7 @@ void RunMessages::begin(const Space& space, const std::string& topics, BagWriter
     return;
   }
   run_ = space.run;
-  record_->seed = space.seed;  // a reset may bring another one
+  record_->seed = space.seed;  // a reset may change the seed
   swarmanoid_msgs::RunRecord message;
   message.header = headerOf(space);
   message.run = space.run;

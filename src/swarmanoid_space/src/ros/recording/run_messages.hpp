@@ -1,4 +1,4 @@
-/// What a bag needs so that its run can be made again: the record of the run, and what has come of it.
+/// Messages with which the run of a bag can be repeated: the record of the run, and its result.
 ///
 /// Threads  one at a time.
 #pragma once
@@ -25,20 +25,20 @@ class RunMessages {
   /// @throws ConfigError if a file that the experiment names cannot be read
   RunMessages(const RunContext& context, std::uint64_t every);
 
-  /// Writes the record where a run begins. @param topics "/space/" @throws std::runtime_error
+  /// Writes the record at the beginning of a run. @param topics "/space/" @throws std::runtime_error
   void begin(const Space& space, const std::string& topics, BagWriter& bag);
-  /// Writes the result. @param last_state that was recorded @throws std::runtime_error
+  /// Writes the result. @param last_state last recorded state @throws std::runtime_error
   void finish(const std::string& topics, const swarmanoid_msgs::WorldState& last_state, BagWriter& bag);
 
-  /// The last state of a run has been seen. Allocates nothing.
+  /// Updates the result with the present state of the run. Allocates nothing.
   void follow(const Space& space);
 
  private:
-  std::optional<RunRecord> record_;  // none: the experiment is not known
+  std::optional<RunRecord> record_;  // empty: the experiment is not known
   std::function<RunOutcome()> outcome_;
-  std::optional<std::uint64_t> run_;   // whose record is in the bag
-  swarmanoid_msgs::RunResult result_;  // of that run, as far as it has come
-  const Space* space_ = nullptr;       // that has been followed; whoever has the observer has it, too
+  std::optional<std::uint64_t> run_;   // the run whose record is in the bag
+  swarmanoid_msgs::RunResult result_;  // of that run, up to its present state
+  const Space* space_ = nullptr;       // space of the last follow(); the owner of the observer owns it, too
 };
 
 }  // namespace swarmanoid

@@ -41,7 +41,7 @@ class MessageVisitor final : public StateVisitor {
   }
   bool wantsDetail() const override { return true; }
 
-  /// Of numbers, then of texts.
+  /// Returns the names of numbers, then of texts.
   std::vector<std::string> takeNames() {
     names_.insert(names_.end(), text_names_.begin(), text_names_.end());
     return std::move(names_);

@@ -1,6 +1,6 @@
-/// All named state of a space as a message, to compare runs by. Fields, units and frames: state/state_visitor.hpp.
+/// All named state of a space as a message, for comparing runs. Fields, units and frames: state/state_visitor.hpp.
 ///
-/// Threads  one at a time. Allocates each time: only for runs that ask for it.
+/// Threads  one at a time. Allocates in each call, so only runs that request it write these messages.
 #pragma once
 
 #include <swarmanoid_msgs/NamedState.h>
@@ -14,8 +14,7 @@ namespace swarmanoid {
 
 class StateMessage {
  public:
-  /// The message holds names if they are others than at the last call.
-  /// Valid until the next call.
+  /// Returns the state; with names only if they differ from the last call. Valid until the next call.
   const swarmanoid_msgs::NamedState& write(const Space& space);
 
  private:

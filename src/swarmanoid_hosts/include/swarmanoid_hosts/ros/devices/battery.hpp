@@ -15,13 +15,13 @@ namespace swarmanoid {
 
 namespace detail {
 
-/// Messages count charge in ampere hours. @return [J / (A h)], at 1 V if there is no voltage
+/// Factor for messages, which have charge in ampere hours. @return [J / (A h)], at 1 V if there is no voltage
 inline float joulesPerAmpereHour(float voltage) { return 3600.0F * (voltage > 0.0F ? voltage : 1.0F); }
 
 }  // namespace detail
 
-/// A battery is present unless the super-capacitor alone keeps the robot alive. Nothing measures temperature, health
-/// and single cells.
+/// A battery is present unless the super-capacitor alone keeps the robot alive. Temperature, health and single cells
+/// are not measured.
 inline void toMessage(const Battery& readings, sensor_msgs::BatteryState& message) {
   using State = sensor_msgs::BatteryState;
   constexpr float kNotMeasured = std::numeric_limits<float>::quiet_NaN();
@@ -34,7 +34,7 @@ inline void toMessage(const Battery& readings, sensor_msgs::BatteryState& messag
   message.design_capacity = kNotMeasured;
   message.percentage = readings.fraction();
   const bool holds_all = readings.capacity > 0.0F && readings.charge >= readings.capacity;
-  // of a full one the sign of the current shows whether something charges it
+  // a full battery is reported as such only if the sign of the current still tells whether it is being charged
   const bool is_full = holds_all && readings.is_charging == (message.current >= 0.0F);
   message.power_supply_status = is_full                ? State::POWER_SUPPLY_STATUS_FULL
                                 : readings.is_charging ? State::POWER_SUPPLY_STATUS_CHARGING
@@ -44,7 +44,7 @@ inline void toMessage(const Battery& readings, sensor_msgs::BatteryState& messag
   message.present = !readings.on_capacitor;
 }
 
-/// Gauges of others may not measure what controllers must know.
+/// Other gauges may not measure the values that controllers need.
 inline void fromMessage(const sensor_msgs::BatteryState& message, Battery& readings) {
   if (!(message.voltage >= 0.0F)) {
     throw std::runtime_error("found no voltage, allowed: 0 V or more");

@@ -14,7 +14,7 @@ inline void toMessage(const DifferentialDrive& command, geometry_msgs::Twist& me
   message.angular.z = command.turn_rate;
 }
 
-/// Reads linear.x and angular.z; the others must be 0, for two wheels cannot carry them out.
+/// Reads linear.x and angular.z; the others must be 0, since two wheels cannot carry them out.
 inline void fromMessage(const geometry_msgs::Twist& message, DifferentialDrive& command) {
   refuseUnlessForWheels(message);
   command.drive(message.linear.x, message.angular.z);

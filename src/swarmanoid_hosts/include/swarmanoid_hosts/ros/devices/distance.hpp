@@ -18,7 +18,7 @@
 namespace swarmanoid {
 namespace distance_messages {
 
-/// Makes room for the sensors of a device, and says what they can measure.
+/// Resizes the lists for the sensors of a device, and sets their measuring range.
 template <class Device>
 void start(const Device& device, std::size_t count, swarmanoid_msgs::RangeArray& message) {
   message.radiation_type = sensor_msgs::Range::INFRARED;

@@ -11,7 +11,7 @@
 
 namespace swarmanoid {
 
-/// As REP-117 has it, in the device as in the message: too close is -infinity, too far +infinity.
+/// By REP-117, in the device and in the message: -infinity for too close, +infinity for too far.
 inline void toMessage(const EyebotAltitude& readings, sensor_msgs::Range& message) {
   message.radiation_type = sensor_msgs::Range::ULTRASOUND;
   message.field_of_view = 0.0F;  // one ray

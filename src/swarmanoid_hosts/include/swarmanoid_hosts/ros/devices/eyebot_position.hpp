@@ -34,7 +34,7 @@ inline void fromMessage(const swarmanoid_msgs::FlightCommand& message, EyebotPos
   command.yaw = message.yaw;
 }
 
-/// A pose has no modes: whatever the command is, it is sent as going to its position.
+/// A pose has no modes: every command is sent as a command to go to its position.
 inline void toMessage(const EyebotPosition& command, geometry_msgs::PoseStamped& message) {
   message.pose.position.x = command.position.x();
   message.pose.position.y = command.position.y();
@@ -43,8 +43,8 @@ inline void toMessage(const EyebotPosition& command, geometry_msgs::PoseStamped&
   message.pose.orientation.w = std::cos(0.5 * command.yaw);
 }
 
-/// Goes there. The robot knows no frame but that of its take-off: a frame_id is "", "takeoff", or ends in "/takeoff".
-/// It cannot lean as it likes: the orientation must be a turn about z.
+/// Commands the mode kGoTo. The only frame is that of the take-off: the frame_id is "", "takeoff", or ends in
+/// "/takeoff". The orientation must be a turn about z.
 inline void fromMessage(const geometry_msgs::PoseStamped& message, EyebotPosition& command) {
   const std::string& frame = message.header.frame_id;
   if (!frame.empty() && frame.substr(frame.rfind('/') + 1) != "takeoff") {

@@ -8,8 +8,8 @@
 
 namespace swarmanoid {
 
-/// The message has absolute pressures: that at the start counts as EyebotPressure::kPressure. The variance is 0: not
-/// known.
+/// The message has absolute pressures: that at the start is taken as EyebotPressure::kPressure. The variance is 0
+/// (unknown).
 inline void toMessage(const EyebotPressure& readings, sensor_msgs::FluidPressure& message) {
   message.fluid_pressure = EyebotPressure::kPressure + readings.difference;
 }

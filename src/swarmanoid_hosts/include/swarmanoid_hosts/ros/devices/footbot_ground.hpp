@@ -26,7 +26,7 @@ void toGroundArray(const Spots& readings, swarmanoid_msgs::GroundArray& message)
   message.values.assign(readings.value.begin(), readings.value.end());
 }
 
-/// Where the spots are is known: only the values count.
+/// Reads the values only, since the positions of the spots are fixed.
 template <class Spots>
 void fromGroundArray(const swarmanoid_msgs::GroundArray& message, Spots& readings) {
   if (message.values.size() != Spots::kCount) {

@@ -18,7 +18,7 @@ namespace swarmanoid {
 
 namespace detail {
 
-/// From device to message, or back: the fields have the same names.
+/// Copies from device to message, or back: the fields have the same names.
 template <class From, class To>
 void copyScannerReadings(const From& from, To& to) {
   const auto copy = [](const auto& source, auto& target) { std::copy(source.begin(), source.end(), target.begin()); };
@@ -54,13 +54,13 @@ inline void fromMessage(const swarmanoid_msgs::ScannerReadings& message, Footbot
   detail::copyScannerReadings(message, readings);
 }
 
-/// A scan of the whole turn, in which the samples of a tick stand where their beams looked, to half a degree; elsewhere
-/// it has NaN, not measured. A short beam that has nothing in range says nothing of what a long one could see, so it
-/// leaves NaN too. Where two samples fall together, a distance goes before "too close", and that before "nothing"; the
-/// nearer distance counts.
+/// A scan of the whole turn. Each sample of the tick is entered in the direction of its beam, to half a degree; all
+/// other directions have NaN (not measured). A short beam with nothing in range leaves NaN too, since a long one could
+/// measure an obstacle there. If two samples have the same direction, a distance takes precedence over "too close",
+/// which takes precedence over "nothing"; of two distances the smaller one is used.
 ///
-/// All samples of a tick are of the place where the robot is at the stamp, and neighbours in the scan may be of
-/// different beams: there is no time from one to the next that would be right for all, and time_increment is 0.
+/// All samples of a tick are relative to the robot's position at the stamp, and neighbours in the scan may come from
+/// different beams. No time from one to the next would be right for all, so time_increment is 0.
 inline void toMessage(const FootbotScannerReadings& readings, sensor_msgs::LaserScan& message) {
   constexpr std::size_t kBins = 360;
   constexpr float kInfinite = std::numeric_limits<float>::infinity();
@@ -93,7 +93,7 @@ inline void toMessage(const FootbotScannerReadings& readings, sensor_msgs::Laser
   }
 }
 
-/// @throws std::runtime_error always: a scan does not say which beam has measured what
+/// @throws std::runtime_error always: a scan does not tell which beam measured which distance
 inline void fromMessage(const sensor_msgs::LaserScan& /*message*/, FootbotScannerReadings& /*readings*/) {
   throw std::runtime_error("found a scan, allowed: the readings of the beams, of which a scan is made");
 }

@@ -25,7 +25,7 @@ inline void toMessage(const FootbotWheels& command, geometry_msgs::Twist& messag
   message.angular.z = command.turnRate();
 }
 
-/// Reads linear.x and angular.z; the others must be 0, for a footbot cannot carry them out.
+/// Reads linear.x and angular.z; the others must be 0, since a footbot cannot carry them out.
 inline void fromMessage(const geometry_msgs::Twist& message, FootbotWheels& command) {
   refuseUnlessForWheels(message);
   command.drive(message.linear.x, message.angular.z);

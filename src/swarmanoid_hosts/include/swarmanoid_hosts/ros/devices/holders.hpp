@@ -19,7 +19,7 @@ inline void toMessage(const Holders& command, swarmanoid_msgs::HoldersCommand& m
   }
 }
 
-/// Holders beyond those of the message keep their commands.
+/// Holders that the message does not include keep their commands.
 inline void fromMessage(const swarmanoid_msgs::HoldersCommand& message, Holders& command) {
   const std::size_t count =
       sameLength({{"holds", message.holds.size()}, {"winding_speeds", message.winding_speeds.size()}}, Holders::kMost);

@@ -13,7 +13,7 @@ namespace swarmanoid {
 
 namespace detail {
 
-/// What the first element of a covariance says if there are no such values (sensor_msgs/Imu).
+/// First element of a covariance whose values are not measured (sensor_msgs/Imu).
 constexpr double kNotMeasured = -1.0;
 
 template <class Covariance>
@@ -25,9 +25,9 @@ void refuseUnlessMeasured(const char* name, const Covariance& covariance) {
 
 }  // namespace detail
 
-/// The orientation is not measured, and says so; the covariances of the others are 0: not known.
+/// The orientation is marked as not measured; the covariances of the others are 0 (unknown).
 inline void toMessage(const Imu& readings, sensor_msgs::Imu& message) {
-  message.orientation.w = 1.0;  // programs that do not look at the covariance find a valid quaternion
+  message.orientation.w = 1.0;  // a valid quaternion, for programs that do not check the covariance
   message.orientation_covariance[0] = detail::kNotMeasured;
   message.angular_velocity.x = readings.angular_velocity.x();
   message.angular_velocity.y = readings.angular_velocity.y();
@@ -37,7 +37,7 @@ inline void toMessage(const Imu& readings, sensor_msgs::Imu& message) {
   message.linear_acceleration.z = readings.linear_acceleration.z();
 }
 
-/// A unit may measure the orientation; it is not read.
+/// The orientation is ignored, even if the unit measures it.
 inline void fromMessage(const sensor_msgs::Imu& message, Imu& readings) {
   detail::refuseUnlessMeasured("angular_velocity", message.angular_velocity_covariance);
   detail::refuseUnlessMeasured("linear_acceleration", message.linear_acceleration_covariance);

@@ -1,7 +1,7 @@
 /// Defines the topics of devices/joints.hpp, and converts its devices to messages and back.
 ///
-/// Devices know joints by their order, not by their names, so these messages have no names: a message with names could
-/// have them in another order.
+/// Devices identify joints by their order, not by their names, so these messages have no names: a message with names
+/// could have another order.
 #pragma once
 
 #include <sensor_msgs/JointState.h>
@@ -27,7 +27,7 @@ inline void toMessage(const Joints& command, swarmanoid_msgs::JointsCommand& mes
   }
 }
 
-/// Joints beyond those of the message keep their commands.
+/// Joints that the message does not include keep their commands.
 inline void fromMessage(const swarmanoid_msgs::JointsCommand& message, Joints& command) {
   const std::size_t count = sameLength(
       {{"modes", message.modes.size()}, {"angles", message.angles.size()}, {"speeds", message.speeds.size()}},

@@ -17,7 +17,7 @@ inline void toMessage(const Leds& command, swarmanoid_msgs::LedArray& message) {
   toMessage(Span<const Color>(command.colors.data(), command.colors.size()), message);
 }
 
-/// LEDs that the message has no colour for are off.
+/// LEDs without a colour in the message are off.
 inline void fromMessage(const swarmanoid_msgs::LedArray& message, Leds& command) {
   const std::size_t count = message.colors.size();
   if (count > Leds::kMost) {

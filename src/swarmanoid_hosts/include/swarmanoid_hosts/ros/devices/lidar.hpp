@@ -13,7 +13,7 @@
 
 namespace swarmanoid {
 
-/// All beams are of one moment: time_increment is 0.
+/// All beams are measured at one moment: time_increment is 0.
 inline void toMessage(const Lidar& lidar, sensor_msgs::LaserScan& message) {
   const std::size_t count = lidar.beams.size();
   message.angle_min = count == 0 ? 0.0F : lidar.beams[0].angle;
@@ -30,9 +30,9 @@ inline void toMessage(const Lidar& lidar, sensor_msgs::LaserScan& message) {
   }
 }
 
-/// The beams are stored in `parts`, by their angles from -pi on: drivers count from 0 to 2 pi, or downwards. Ranges out
-/// of the scan's limits are by REP-117 afterwards; drivers say 0 where nothing comes back. A scan that has come is new:
-/// its age is 0, and stays 0 until the next scan, since messages do not say it.
+/// The beams are stored in `parts` in order of increasing angle from -pi, whereas drivers may count from 0 to 2 pi, or
+/// downwards. Ranges outside the scan's limits are converted by REP-117; drivers send 0 for beams without a return. A
+/// received scan has the age 0 until the next scan, since messages do not contain it.
 inline void fromMessage(const sensor_msgs::LaserScan& message, Lidar& lidar, VariableParts& parts) {
   const std::size_t count = message.ranges.size();
   if (count > Lidar::kMostBeams) {

@@ -1,5 +1,5 @@
-/// Converts what all devices of devices/messages.hpp share to messages and back. Their topics are in headers of their
-/// own.
+/// Converts the common parts of the devices of devices/messages.hpp to messages and back. Their topics are in headers
+/// of their own.
 #pragma once
 
 #include <swarmanoid_msgs/MessageCommand.h>
@@ -16,7 +16,7 @@
 
 namespace swarmanoid {
 
-/// Bytes that are missing are 0. @throws std::runtime_error for more bytes than the device sends
+/// Missing bytes are 0. @throws std::runtime_error for more bytes than the device sends
 template <std::size_t byte_count>
 void fromMessage(const std::vector<std::uint8_t>& bytes, std::array<std::uint8_t, byte_count>& payload) {
   if (bytes.size() > byte_count) {
@@ -39,7 +39,8 @@ void fromMessage(const swarmanoid_msgs::MessageCommand& message, MessageCommand<
   command.sends = message.sends != 0;
 }
 
-/// Writes what was received. @param write (const one of the device's messages&, one of the list&): all but its payload
+/// Writes the received messages. @param write (const one of the device's messages&, one of the list&): all but its
+/// payload
 template <class Readings, class List, class Write>
 void writeReceived(const Readings& readings, List& list, const Write& write) {
   list.resize(readings.messages.size());

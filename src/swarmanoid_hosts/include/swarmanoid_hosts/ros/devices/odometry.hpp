@@ -15,12 +15,13 @@ namespace swarmanoid {
 
 namespace detail {
 
-/// Rows and columns of x, y and heading in the covariance of a pose, which has x, y, z and turns about them.
+/// Rows and columns of x, y and heading in the covariance of a pose, which has x, y, z and the turns about these axes.
 constexpr std::array<std::size_t, Odometry::kCoordinates> kInPose{0, 1, 5};
 constexpr std::size_t kPoseCoordinates = 6;
-/// What wheels measure no speed of: height, roll and pitch.
+/// Rows of the twist's covariance whose speeds wheels do not measure: height, roll and pitch.
 constexpr std::array<std::size_t, 3> kNotInTwist{2, 3, 4};
-/// Variance of what wheels know nothing of: height, roll and pitch [m2, rad2], and in the twist their rates.
+/// Variance of the coordinates that wheels do not measure: height, roll and pitch [m2, rad2], and in the twist their
+/// rates.
 constexpr double kUnknown = 1e6;
 
 }  // namespace detail
@@ -48,7 +49,7 @@ inline void toMessage(const Odometry& readings, nav_msgs::Odometry& message) {
   }
 }
 
-/// Reads what moves on level ground; roll, pitch and sideways speed must be 0.
+/// Reads a motion on level ground; roll, pitch and sideways speed must be 0.
 inline void fromMessage(const nav_msgs::Odometry& message, Odometry& readings) {
   const auto& orientation = message.pose.pose.orientation;
   refuseUnlessZero("pose.orientation.x", orientation.x);

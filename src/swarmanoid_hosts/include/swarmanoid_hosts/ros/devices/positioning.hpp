@@ -23,11 +23,11 @@ inline void toMessage(const Positioning& readings, geometry_msgs::PoseStamped& m
   message.pose.orientation.w = orientation.w();
 }
 
-/// Whatever the frame is called: the tracking system's is the robots' world.
+/// Ignores the frame_id: the frame of the tracking system is the robots' world.
 inline void fromMessage(const geometry_msgs::PoseStamped& message, Positioning& readings) {
   const auto& q = message.pose.orientation;
   const Eigen::Quaterniond orientation(q.w, q.x, q.y, q.z);
-  constexpr double kAllowed = 0.01;  // of the length, which drivers may round
+  constexpr double kAllowed = 0.01;  // error of the length, since drivers may round
   if (!(std::abs(orientation.norm() - 1.0) <= kAllowed)) {
     throw std::runtime_error("found an orientation of the length " + std::to_string(orientation.norm()) +
                              ", allowed: a quaternion of length 1");

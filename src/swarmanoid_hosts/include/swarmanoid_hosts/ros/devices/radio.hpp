@@ -1,4 +1,5 @@
-/// Converts what all radios (devices/radio.hpp) share to messages and back. Their topics are in headers of their own.
+/// Converts the common parts of radios (devices/radio.hpp) to messages and back. Their topics are in headers of their
+/// own.
 #pragma once
 
 #include <swarmanoid_msgs/RadioCommand.h>
