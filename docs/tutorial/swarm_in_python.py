@@ -6,7 +6,7 @@
 # this script. Lengths are in metres, angles in radians, times in seconds.
 
 # %% [markdown]
-# ## A run, and what is in it
+# ## A run and its contents
 
 # %%
 import math
@@ -19,7 +19,7 @@ print(simulation.robots.names)
 print(simulation.entities.types)
 
 # %% [markdown]
-# Robots are asked for again after each tick: what they were is not what they are.
+# Get the robots anew after each tick: the arrays are copies of the state at that time.
 
 # %%
 track = []
@@ -33,7 +33,7 @@ print(f"mean distance from the lamp: {distance[0].mean():.1f} m, then {distance[
 assert distance[-1].mean() < 0.6 * distance[0].mean()
 
 # %% [markdown]
-# What robots sense and are told to do stands there under the names of devices and fields.
+# Readings and commands of the robots are available under the names of devices and fields.
 
 # %%
 robots = simulation.robots
@@ -44,7 +44,7 @@ print(robots.commands["footbot_wheels"].left.round(1))        # rad/s
 # %% [markdown]
 # ## A controller of all robots at once
 #
-# A Braitenberg vehicle in a few lines of arrays: a wheel turns faster the nearer something is on its side, so robots turn away.
+# A Braitenberg vehicle in a few lines of arrays: a wheel turns faster the nearer an obstacle is on its side, so robots turn away.
 
 # %%
 print({name: field["shape"] for name, field in swarmanoid.fields_of("footbot_wheels").items()})
@@ -88,7 +88,7 @@ assert alone.state_hash == at_once.state_hash
 # %% [markdown]
 # ## A rule, and interventions
 #
-# The lamps of this world are switched by a rule of the file. Another one carries a robot back that has come to the lamp, and counts.
+# A rule of the file switches the lamps of this world. This rule carries a robot back that has reached the lamp, and counts.
 
 # %%
 class CarryBack:
@@ -135,4 +135,4 @@ print("ticks until four were carried back:", ticks)
 assert ticks == [carried_after(seed) for seed in range(1, 5)]
 
 # %% [markdown]
-# How each of this is said in full is in docs/how-to/simulate_in_python.md; how swarms learn, in docs/how-to/train_in_python.md.
+# Complete descriptions are in docs/how-to/simulate_in_python.md; learning, in docs/how-to/train_in_python.md.
