@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "enlist.hpp"
 #include "swarmanoid_space/rule.hpp"
+#include "update_members.hpp"
 
 namespace swarmanoid::devices {
 
@@ -30,15 +30,15 @@ class Batteries {
   void clear() { robots_.clear(); }
 
   /// Removes deleted robots and adds new ones with a battery.
-  void enlist(const Space& space) {
+  void updateMembers(const Space& space) {
     const auto is_meant = [&](Row row) { return space.entities.name[row].compare(0, robot_.size(), robot_) == 0; };
-    swarmanoid::devices::enlist(space, space.powered, is_meant, robots_);
+    swarmanoid::devices::updateMembers(space, space.powered, is_meant, robots_);
   }
 
   /// By entity number.
   const std::vector<Robot>& all() const { return robots_; }
 
-  /// Called after each tick. @pre all robots of the list exist: enlist was called after the last deletion
+  /// Called after each tick. @pre all robots of the list exist: updateMembers was called after the last deletion
   void measure(const Space& space) {
     double sum = 0.0;
     double empty = 0.0;

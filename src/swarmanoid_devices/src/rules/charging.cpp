@@ -7,7 +7,7 @@
 
 #include "../parameters.hpp"
 #include "batteries.hpp"
-#include "enlist.hpp"
+#include "update_members.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -23,8 +23,8 @@ class Charging final : public Rule {
   }
 
   void beforeTick(const Space& space, InterventionQueue& queue) override {
-    enlistPerches(space, queue);
-    batteries_.enlist(space);
+    updatePerches(space, queue);
+    batteries_.updateMembers(space);
     const double dt = toSeconds(space.clocktick);
     const auto ticks = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(interval_ / dt)));
     if (space.tick % ticks == 0) {
@@ -36,7 +36,7 @@ class Charging final : public Rule {
   }
 
   void afterTick(const Space& space, InterventionQueue&) override {
-    batteries_.enlist(space);  // later rules may have deleted some
+    batteries_.updateMembers(space);  // later rules may have deleted some
     batteries_.measure(space);
   }
 
@@ -48,7 +48,7 @@ class Charging final : public Rule {
     bool is_empty = false;              // gives nothing until its charge is `ready` again
   };
 
-  void enlistPerches(const Space& space, InterventionQueue& queue) {
+  void updatePerches(const Space& space, InterventionQueue& queue) {
     const Entities& entities = space.entities;
     for (Perch& perch : perches_) {
       if (entities.find(perch.number) == kNoRow) {
@@ -58,7 +58,7 @@ class Charging final : public Rule {
     const auto is_perch = [&](Row row) {
       return !entities.model[row]->is_robot && entities.model[row]->findProperty(kCharge) >= 0;
     };
-    enlist(space, entities.order, is_perch, perches_);
+    updateMembers(space, entities.order, is_perch, perches_);
   }
 
   static void release(const Space& space, Perch& perch, InterventionQueue& queue) {

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "enlist.hpp"
 #include "footprint.hpp"
 #include "measuring_rule.hpp"
 #include "swarmanoid_space/index/positional_index_visits.hpp"
+#include "update_members.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -48,7 +48,7 @@ class ContactCount final : public MeasuringRule {
   void measure(const Space& space, bool is_changed) override {
     if (is_changed) {
       const auto is_meant = [](Row) { return true; };
-      enlist(space, group().rows(), is_meant, robots_);
+      updateMembers(space, group().rows(), is_meant, robots_);
     }
     if (population_.hasChanged(space)) {
       measureReaches(space);

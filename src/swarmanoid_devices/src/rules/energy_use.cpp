@@ -1,9 +1,9 @@
 // Energy: consumption of robots by the battery model, with or without a battery.
 #include <vector>
 
-#include "enlist.hpp"
 #include "measuring_rule.hpp"
 #include "swarmanoid_space/power_demand.hpp"
+#include "update_members.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -42,7 +42,7 @@ class EnergyUse final : public MeasuringRule {
   void measure(const Space& space, bool is_changed) override {
     if (is_changed) {
       const auto is_meant = [](Row) { return true; };
-      enlist(space, group().rows(), is_meant, robots_);
+      updateMembers(space, group().rows(), is_meant, robots_);
     }
     const double time = has_begun_ ? static_cast<double>(every()) * toSeconds(space.clocktick) : 0.0;
     has_begun_ = true;

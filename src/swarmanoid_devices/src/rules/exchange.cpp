@@ -8,7 +8,7 @@
 
 #include "../parameters.hpp"
 #include "batteries.hpp"
-#include "enlist.hpp"
+#include "update_members.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -27,8 +27,8 @@ class Exchange final : public Rule {
   }
 
   void beforeTick(const Space& space, InterventionQueue& queue) override {
-    batteries_.enlist(space);
-    enlistStations(space);
+    batteries_.updateMembers(space);
+    updateStations(space);
     // requests take effect after this call; until then the properties of entities whose battery has moved are stale
     bool has_moved = false;
     for (Station& station : stations_) {
@@ -50,7 +50,7 @@ class Exchange final : public Rule {
   }
 
   void afterTick(const Space& space, InterventionQueue&) override {
-    batteries_.enlist(space);  // later rules may have deleted some
+    batteries_.updateMembers(space);  // later rules may have deleted some
     batteries_.measure(space);
     swapping_->value = static_cast<double>(std::count_if(
         stations_.begin(), stations_.end(), [](const Station& station) { return station.occupant != kNoEntity; }));
@@ -67,12 +67,12 @@ class Exchange final : public Rule {
 
   static constexpr double kRounding = 1e-9;  // s
 
-  void enlistStations(const Space& space) {
+  void updateStations(const Space& space) {
     const auto is_station = [&](Row row) {
       const EntityModel& model = *space.entities.model[row];
       return model.findProperty(kFirstBattery) >= 0 && model.findProperty(kArm) >= 0;
     };
-    enlist(space, space.entities.order, is_station, stations_);
+    updateMembers(space, space.entities.order, is_station, stations_);
   }
 
   static bool isSlot(const EntityModel::Property& property) { return property.name.rfind("battery_", 0) == 0; }

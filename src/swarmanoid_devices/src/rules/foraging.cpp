@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "../parameters.hpp"
-#include "enlist.hpp"
 #include "floor_patch.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/rule.hpp"
 #include "tally.hpp"
+#include "update_members.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -105,7 +105,7 @@ class Foraging final : public Rule {
       used_by_deleted_ += space.entities.find(robot.number) == kNoRow ? robot.used : 0.0;
     }
     const auto is_meant = [](Row) { return true; };
-    enlist(space, space.powered, is_meant, robots_);
+    updateMembers(space, space.powered, is_meant, robots_);
     double used = 0.0;  // J
     for (Robot& robot : robots_) {
       robot.used = space.batteries[space.entities.find(robot.number)][0].used;

@@ -23,7 +23,7 @@ class NearestOfKind {
   /// @return the squared distance [m2] of each robot of the group, in its order; infinity without another target
   const std::vector<double>& look(const Space& space, const RobotGroup& group) {
     if (population_.hasChanged(space)) {
-      enlistTargets(space);
+      updateTargets(space);
     }
     squares_.assign(group.rows().size(), kInfinity);
     constexpr std::size_t kFew = 16;  // up to this number, checking each is as fast
@@ -40,7 +40,7 @@ class NearestOfKind {
   }
 
  private:
-  void enlistTargets(const Space& space) {
+  void updateTargets(const Space& space) {
     targets_.clear();
     targets_.reserve(space.entities.size());
     is_target_.resize(space.entities.rowCount());

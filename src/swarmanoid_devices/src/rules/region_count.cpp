@@ -60,7 +60,7 @@ class RegionCount final : public MeasuringRule {
 
   void measure(const Space& space, bool) override {
     if (!objects_.empty() && population_.hasChanged(space)) {
-      enlistObjects(space);
+      updateObjects(space);
     }
     double inside = 0.0;
     for (const Row row : objects_.empty() ? group().rows() : rows_) {
@@ -73,7 +73,7 @@ class RegionCount final : public MeasuringRule {
     most_->value = std::max(most_->value, inside);
   }
 
-  void enlistObjects(const Space& space) {
+  void updateObjects(const Space& space) {
     rows_.clear();
     rows_.reserve(space.entities.size());
     for (const Row row : space.entities.order) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "enlist.hpp"
 #include "measuring_rule.hpp"
+#include "update_members.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -41,7 +41,7 @@ class SquareDisplacement final : public MeasuringRule {
   /// All metrics are 0 without robots.
   void measure(const Space& space, bool is_changed) override {
     if (is_changed) {
-      enlistThem(space);
+      updateBeginnings(space);
     }
     double squares = 0.0;   // m2
     double greatest = 0.0;  // m2
@@ -59,9 +59,9 @@ class SquareDisplacement final : public MeasuringRule {
   }
 
   /// Records the starting points of new robots. Afterwards the list has the order of the group.
-  void enlistThem(const Space& space) {
+  void updateBeginnings(const Space& space) {
     const auto is_meant = [](Row) { return true; };
-    enlist(space, group().rows(), is_meant, beginnings_);
+    updateMembers(space, group().rows(), is_meant, beginnings_);
     for (std::size_t i = 0; i < beginnings_.size(); ++i) {
       if (!beginnings_[i].is_known) {
         const Row row = group().rows()[i];

@@ -38,7 +38,7 @@ class CrowdCorrection {
     double lever_a = 0.0;  // cross product of arm and normal [m]
     double lever_b = 0.0;
     double mass = 0.0;   // impulse per depth [kg]
-    double depth = 0.0;  // without displacements, beyond what is allowed [m]
+    double depth = 0.0;  // without displacements, beyond the allowed depth [m]
   };
 
   /// Computes the rows of the contacts that the displacements of a round can close. @return the largest depth [m]

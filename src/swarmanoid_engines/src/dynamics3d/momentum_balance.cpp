@@ -44,7 +44,7 @@ Matrix3d BalanceRow::slope() const {
     slope.bottomRightCorner<2, 2>() = stiffness.tail<2>().asDiagonal();
     return slope;
   }
-  // friction is what is missing over the softness and a resistance, which is such that it has the size of the limit
+  // friction is the missing velocity over softness plus a resistance, chosen so that friction has the size of the limit
   const Vector2d friction = impulseAt(missing).tail<2>();
   const Vector2d softness = contact->softness.tail<2>();
   const double resistance = (missing.tail<2>() - softness.cwiseProduct(friction)).norm() / most;

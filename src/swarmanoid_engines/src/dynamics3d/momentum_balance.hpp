@@ -32,7 +32,7 @@ struct BalanceRow {
   Momenta on_a = Momenta::Zero();                       ///< momentum by a unit of impulse along each axis, in columns
   Momenta on_b = Momenta::Zero();                       ///< the same of b
   Eigen::Vector3d stiffness = Eigen::Vector3d::Zero();  ///< impulse per missing velocity [N s per m/s]
-  Eigen::Vector3d wanted = Eigen::Vector3d::Zero();     ///< beyond the velocity of what is immovable [m/s]
+  Eigen::Vector3d wanted = Eigen::Vector3d::Zero();     ///< beyond the velocity of immovable bodies [m/s]
   double limit = -1.0;                                  ///< of friction [N s]; below 0: by the load
   Eigen::Vector3d missing = Eigen::Vector3d::Zero();    ///< velocity [m/s]
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();    ///< [N s]
@@ -134,7 +134,7 @@ class MomentumBalance {
     return momentum;
   }
 
-  /// Returns the velocity of a relative to b along the contact's axes; what is immovable counts as at rest [m/s].
+  /// Returns the velocity of a relative to b along the contact's axes [m/s]. Immovable bodies count as at rest..
   static Eigen::Vector3d velocityBetween(const BalanceRow& row, const Unknowns& velocities) {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
     if (row.a >= 0) {

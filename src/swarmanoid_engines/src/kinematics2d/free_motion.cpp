@@ -1,7 +1,7 @@
 // Phase `move`: bodies that cannot meet others in a step move without a search for neighbours, on all threads. Also the
 // results of a tick for the space.
 //
-// The other bodies move one by one, with these or after them (huddles.cpp), and reach the poses that they would reach
+// The other bodies move one by one, with these or after them (islands.cpp), and reach the poses that they would reach
 // if all bodies moved one after another by entity number. Therefore a body moves freely only if it has room for all
 // that others may do in the step, pushes out of overlaps included: it then blocks no pose that any of them tries,
 // before or after its own move.
@@ -46,7 +46,7 @@ void Kinematics2d::listBodies() {
   }
   others_.resize(movers_.size());
   strays_.resize(movers_.size());
-  huddles_.resize(movers_.size());
+  islands_.resize(movers_.size());
   listBlocks();
 }
 
@@ -106,15 +106,15 @@ double Kinematics2d::readAllCommands(const Space& space) {
 
 void Kinematics2d::moveBlocks(Space& space, double step, double tick) {
   // In each piece of its way, a body that is pushed out may try poses beyond its target, by the length of the piece and
-  // kMostPush more (contact.cpp). In total that is a stride and most_pieces_ pushes beyond the stride that is counted
-  // already.
+  // kMostPush more (contact.cpp). In total that is a step length and most_pieces_ pushes beyond the step length that is
+  // counted already.
   const bool is_in_turn = least_block_ == 0;
   const double room =
-      is_in_turn ? std::numeric_limits<double>::infinity() : travelled_ + stride_ + most_pieces_ * kMostPush;
+      is_in_turn ? std::numeric_limits<double>::infinity() : travelled_ + step_length_ + most_pieces_ * kMostPush;
   forBlocks([&](const Block& block) { findRoom(room, block); });
   forBlocks([&](Block& block) { moveBlock(space, step, tick, room, block); });
   for (const Block& block : blocks_) {
-    all_.detour = std::max(all_.detour, block.detour);
+    all_.slide_allowance = std::max(all_.slide_allowance, block.slide_allowance);
     // other bodies change cells later, when they move: the order within a cell depends on blocks, so results must not
     // depend on it
     for (std::size_t k = 0; k < block.stray_count; ++k) {
@@ -125,7 +125,7 @@ void Kinematics2d::moveBlocks(Space& space, double step, double tick) {
 
 void Kinematics2d::moveBlock(Space& space, double step, double tick, double room, Block& block) {
   const bool is_whole_tick = subclock_ == 1;
-  block.detour = 0.0;
+  block.slide_allowance = 0.0;
   block.other_count = 0;
   block.stray_count = 0;
   for (std::size_t k = block.first; k < block.last; ++k) {
@@ -133,7 +133,7 @@ void Kinematics2d::moveBlock(Space& space, double step, double tick, double room
     Body& body = bodies_[index];
     const planar::PlanarPose before{body.pose.position, body.pose.heading};
     const bool moves_freely = hasRoomOrStands(index, room);
-    if (!movesByItself(body) || (!moves_freely && huddles_.isOpen(k))) {
+    if (!movesByItself(body) || (!moves_freely && islands_.isOpen(k))) {
       others_[block.first + block.other_count++] = index;
       if (is_whole_tick) {
         motion(index).pose_at_start = before;

@@ -28,7 +28,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "kinematics2d/huddles.hpp"
+#include "kinematics2d/islands.hpp"
 #include "kinematics2d/neighbours.hpp"
 #include "planar/body_overlap.hpp"
 #include "planar/placed_pose.hpp"
@@ -106,7 +106,7 @@ class Kinematics2d final : public planar::PlanarEngine {
     std::size_t other_count = 0;   ///< number in others_, from `first` on: bodies that move after all blocks
     std::size_t stray_count = 0;   ///< number in strays_, from `first` on: bodies that have changed their cell
     double fastest_squared = 0.0;  ///< of the fastest body [m2/s2]
-    double detour = 0.0;           ///< largest way of a body beyond the stride, by pushes in this step [m]
+    double slide_allowance = 0.0;  ///< largest way of a body beyond the step length, by pushes in this step [m]
   };
   struct Contact {
     planar::Penetration way_out;
@@ -142,11 +142,11 @@ class Kinematics2d final : public planar::PlanarEngine {
     }
   }
 
-  // huddles.cpp
+  // islands.cpp
   void findRoom(double room, const Block& block);
-  void lookAround(std::size_t k, double detour, const Block& block);
-  void joinHuddle(std::size_t k, BodyIndex other, const Block& block);
-  bool knowsWhoIsNear(BodyIndex index, double detour);
+  void lookAround(std::size_t k, double slide_allowance, const Block& block);
+  void joinIsland(std::size_t k, BodyIndex other, const Block& block);
+  bool knowsWhoIsNear(BodyIndex index, double slide_allowance);
   bool isHeldOrHolds(BodyIndex index) const {
     return motion(index).gripped != kNoBody || motion(index).gripped_by != kNoBody;
   }
@@ -193,7 +193,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   }
   bool areAllInOne(const Block& block) const { return &block == &all_; }
   /// Bound on motion up to the end of the current step, as far as is known while blocks move [m].
-  double travelled(const Block& block) const { return travelled_ + block.detour; }
+  double travelled(const Block& block) const { return travelled_ + block.slide_allowance; }
   /// Distance travelled up to which a gap to others cannot close, with both sides moving into it [m].
   double freeUntil(double gap, const Block& block) const {
     constexpr double kMargin = 1e-6;  // m, for rounding
@@ -201,7 +201,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   }
   /// Range of the next search if the nearest body is that far away [m].
   double lookAheadFor(double nearest) const {
-    return std::min(kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
+    return std::min(kMostLookAhead, 2.0 * (std::max(0.0, nearest) + step_length_));
   }
   /// False for mirrors that may move: their height may change before the body arrives.
   static bool isAtOtherHeights(const Body& body, const Body& other) {
@@ -283,13 +283,13 @@ class Kinematics2d final : public planar::PlanarEngine {
   std::vector<BodyIndex> others_;     // see Block
   std::vector<BodyIndex> strays_;     // see Block
   std::vector<std::int32_t> places_;  // by body: position in movers_
-  Huddles huddles_;                   // of movers_, in the step under way
+  Islands islands_;                   // of movers_, in the step under way
 
   // Bounds on the motion of any body. With them most bodies need no search in most steps (see Clearance).
   double mirrors_moved_ = 0.0;    // by mirrors, before this tick [m]
-  double stride_ = 0.0;           // in one step of this tick [m]
+  double step_length_ = 0.0;      // in one step of this tick [m]
   double most_pieces_ = 1.0;      // largest number of pieces of such a way
-  double travelled_ = 0.0;        // up to the end of the current step, without detours in it [m]
+  double travelled_ = 0.0;        // up to the end of the current step, without slides in it [m]
   bool is_somebody_new_ = false;  // clearances are invalid: a body was added, removed or placed
 };
 

@@ -27,8 +27,8 @@ void Kinematics2d::move(Space& space, Duration dt) {
   const double step = tick / subclock_;
   startTick(space, step);
   for (int i = 0; i < subclock_; ++i) {
-    travelled_ += stride_;
-    all_.detour = 0.0;
+    travelled_ += step_length_;
+    all_.slide_allowance = 0.0;
     moveBlocks(space, step, tick);
     visitOthers([&](BodyIndex index) {
       if (!isInGroup(index)) {
@@ -40,7 +40,7 @@ void Kinematics2d::move(Space& space, Duration dt) {
     for (planar::Turret& turret : bodies_.turrets()) {
       turn(turret, step);
     }
-    travelled_ += all_.detour;
+    travelled_ += all_.slide_allowance;
   }
   finishTick(space, tick);
   finishTurrets(space, tick);
@@ -68,8 +68,8 @@ void Kinematics2d::startTick(const Space& space, double step) {
   }
   const double swing = std::max(startTurrets(step), is_anything_gripped ? fastestOfGroups() : 0.0);
   fastest_squared = std::max(fastest_squared, swing * swing);
-  stride_ = std::sqrt(fastest_squared) * step;
-  most_pieces_ = std::max(1.0, std::ceil(stride_ / (0.5 * smallest_inner_radius_)));
+  step_length_ = std::sqrt(fastest_squared) * step;
+  most_pieces_ = std::max(1.0, std::ceil(step_length_ / (0.5 * smallest_inner_radius_)));
   travelled_ += mirrors_moved_;
   constexpr double kMostTravelled = 1e6;  // m: beyond it, sums would lose too many digits
   if (is_somebody_new_ || !(travelled_ < kMostTravelled)) {
@@ -106,9 +106,9 @@ void Kinematics2d::moveBody(BodyIndex index, double dt, Block& block) {
   for (int i = 0; i < pieces; ++i) {
     movePiece(index, dt / pieces, block);
   }
-  // the stride also covers the swing of a gripped body, which adds to the gripper's own way
-  const double due = motion(index).gripped == kNoBody ? stride_ : body.velocity.norm() * dt;
-  block.detour = std::max(block.detour, (body.pose.position - start).norm() - due);
+  // the step length also covers the swing of a gripped body, which adds to the gripper's own way
+  const double due = motion(index).gripped == kNoBody ? step_length_ : body.velocity.norm() * dt;
+  block.slide_allowance = std::max(block.slide_allowance, (body.pose.position - start).norm() - due);
 }
 
 /// Moves a body without a search if its clearance holds. @return whether it has moved
@@ -197,8 +197,8 @@ const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vecto
     });
   }
   near.look = has_room ? std::min(static_cast<float>(kMostLookAhead), kMore * look) : kFewer * look;
-  // from now on both sides approach by the distance travelled; some still have this step's stride and detour ahead
-  near.until = has_room ? freeUntil(look - away - 2.0 * (stride_ + block.detour), block) : -1.0;
+  // from now on both sides approach by the distance travelled; some still have this step's way and slide ahead
+  near.until = has_room ? freeUntil(look - away - 2.0 * (step_length_ + block.slide_allowance), block) : -1.0;
   return has_room ? &near : nullptr;
 }
 
@@ -213,7 +213,7 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& ar
     nearest = std::max(0.0, near->gapToOthers(travelled(block)) - away);
   }
   if (!areAllInOne(block)) {
-    nearest = std::min(nearest, stride_);  // bodies of other blocks stay farther away: see lookAround
+    nearest = std::min(nearest, step_length_);  // bodies of other blocks stay farther away: see lookAround
   }
   bool free = true;
   around.at_all_heights = areAllInOne(block);
@@ -232,9 +232,9 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& ar
            !planar::modelsOverlap(*body.model, pose, body.along, other) || !isHindering(index, pose, other);
     return free;
   });
-  // From now on both sides approach by the distance travelled; some bodies still have this step's stride and detour
+  // From now on both sides approach by the distance travelled; some bodies still have this step's way and slide
   // ahead.
-  around.free_until = freeUntil(nearest - stride_ - block.detour, block);
+  around.free_until = freeUntil(nearest - step_length_ - block.slide_allowance, block);
   around.look_ahead = lookAheadFor(nearest);
   return free;
 }

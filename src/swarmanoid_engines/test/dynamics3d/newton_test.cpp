@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
-#include <random>
+
+#include "random_island.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -13,78 +13,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kExact = 1e-7;  // m/s, N s
-
-class RandomIsland {
- public:
-  RandomIsland(unsigned seed, int bodies, int contacts) : random_(seed) {
-    movers.resize(static_cast<std::size_t>(bodies) + 1);
-    for (std::size_t i = 1; i < movers.size(); ++i) {
-      fill(movers[i]);
-    }
-    for (int i = 0; i < contacts; ++i) {
-      rows.push_back(contact(1 + static_cast<std::size_t>(i % bodies)));
-    }
-    order.resize(rows.size());
-    std::iota(order.begin(), order.end(), 0);
-  }
-
-  double number(double least, double most) { return std::uniform_real_distribution<double>(least, most)(random_); }
-  Vector3d vector(double most) { return {number(-most, most), number(-most, most), number(-most, most)}; }
-
-  std::vector<Mover> movers;  // element 0 is immovable
-  std::vector<ContactRow> rows;
-  std::vector<std::size_t> order;
-
- private:
-  void fill(Mover& mover) {
-    mover.mass = std::exp(number(-3.0, 3.0));
-    mover.inverse_mass = 1.0 / mover.mass;
-    const Eigen::Quaterniond turn = Eigen::Quaterniond(number(-1, 1), number(-1, 1), number(-1, 1), 0.1).normalized();
-    const Vector3d principal = mover.mass * Vector3d(number(0.002, 0.01), number(0.005, 0.01), number(0.005, 0.011));
-    mover.inertia = turn * principal.asDiagonal() * turn.conjugate();
-    mover.inverse_inertia = mover.inertia.inverse();
-    mover.linear = vector(0.3);
-    mover.angular = vector(3.0);
-    mover.linear_without = mover.linear;
-    mover.angular_without = mover.angular;
-  }
-
-  ContactRow contact(std::size_t a) {
-    ContactRow row;
-    row.a = a;
-    row.b = static_cast<std::size_t>(number(0.0, static_cast<double>(movers.size()) - 1e-9));
-    row.b = row.b == a ? 0 : row.b;
-    const Vector3d normal = (vector(1.0) + Vector3d(0.0, 0.0, 0.01)).normalized();
-    const Vector3d along = normal.unitOrthogonal();
-    row.axes << normal, along, normal.cross(along);
-    row.arm_a = -0.1 * normal + vector(0.05);
-    row.arm_b = 0.1 * normal + vector(0.05);
-    row.wanted = Vector3d(number(-0.01, 0.02), number(-0.2, 0.2), 0.0);
-    row.softness = Vector3d(number(0.0, 1.0) < 0.3 ? 1e-1 : 1e-4, 1e-4, number(0.0, 1.0) < 0.3 ? 1.0 : 1e-4);
-    row.coefficient = number(0.0, 1.2);
-    return row;
-  }
-
-  std::mt19937 random_;
-};
-
-/// Residual of the momentum balance at the velocities and impulses of a solution [m/s].
-double momentumError(const RandomIsland& island) {
-  double error = 0.0;
-  for (std::size_t i = 1; i < island.movers.size(); ++i) {
-    const Mover& mover = island.movers[i];
-    Vector3d push = Vector3d::Zero();
-    Vector3d turn = Vector3d::Zero();
-    for (const ContactRow& row : island.rows) {
-      const Vector3d on_a = row.axes * row.impulse;
-      push += (row.a == i) * on_a - (row.b == i) * on_a;
-      turn += (row.a == i) * row.arm_a.cross(on_a) - (row.b == i) * row.arm_b.cross(on_a);
-    }
-    error = std::max(error, (mover.linear_without + mover.inverse_mass * push - mover.linear).norm());
-    error = std::max(error, 0.1 * (mover.angular_without + mover.inverse_inertia * turn - mover.angular).norm());
-  }
-  return error;
-}
 
 /// Expects that contacts only push, and only where they do not open.
 void expectContactsPush(const RandomIsland& island) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "door.hpp"
+#include "entity_validation.hpp"
 #include "reader.hpp"
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
@@ -147,7 +147,7 @@ EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment&
   Reader reader;
   reader.experiment.framework.controller_path = experiment.framework.controller_path;  // folders of libraries
   EntityDescription entity = readEntity(element, EntityPlace::kSpawned, reader);
-  door::check(entity, experiment);
+  validation::check(entity, experiment);
   return entity;
 }
 
@@ -189,7 +189,7 @@ void readArena(const XmlElement& section, Reader& reader) {
   // the same checks as when the space is built, so that a mistake is reported before anything is built
   for (const EntityDescription& entity : arena.entities) {
     if (reader.loads_libraries || Registry::instance().find(PluginKind::kEntity, entity.type) != nullptr) {
-      door::check(entity, reader.experiment);
+      validation::check(entity, reader.experiment);
     }
   }
 }

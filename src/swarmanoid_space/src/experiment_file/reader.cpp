@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <map>
 
-#include "door.hpp"
+#include "entity_validation.hpp"
 #include "realism_presets.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/read_file.hpp"
@@ -41,8 +41,8 @@ std::size_t numberOf(const std::string& name, const std::string& prefix) {
 }  // namespace
 
 void takeId(const std::string& kind, const std::string& id, const XmlElement& element, TakenIds& taken) {
-  if (!door::isName(id)) {
-    throw ConfigError(element.attributeLocation("id"), "id: found '" + id + "', allowed: " + door::kNamesAllowed);
+  if (!validation::isName(id)) {
+    throw ConfigError(element.attributeLocation("id"), "id: found '" + id + "', allowed: " + validation::kNamesAllowed);
   }
   const auto [known, is_new] = taken.emplace(kind + " " + id, element.location());
   if (!is_new) {

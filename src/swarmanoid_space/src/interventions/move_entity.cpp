@@ -1,4 +1,4 @@
-#include "../experiment_file/door.hpp"
+#include "../experiment_file/entity_validation.hpp"
 #include "../world/entities.hpp"
 #include "carry_out.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
@@ -12,7 +12,7 @@ bool carryOut(World& world, const MoveEntity& intervention) {
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite() || pose.orientation.norm() < 1e-6) {
     throw ConfigError({}, "'" + name + "' cannot be moved to a pose that is not finite");
   }
-  door::checkPosition("position", pose.position, *world.space.entities.model[row], world.experiment.arena, {});
+  validation::checkPosition("position", pose.position, *world.space.entities.model[row], world.experiment.arena, {});
   Pose target = pose;
   target.orientation.normalize();
   EntityDescription entity;

@@ -1,4 +1,4 @@
-#include "../experiment_file/door.hpp"
+#include "../experiment_file/entity_validation.hpp"
 #include "../world/entities.hpp"
 #include "../world/offers.hpp"
 #include "carry_out.hpp"
@@ -22,7 +22,7 @@ bool carryOut(World& world, const SpawnEntity& intervention) {
   if (entity.distribution) {
     throw ConfigError(entity.location, "found a distribution of '" + entity.id + "', allowed: one entity");
   }
-  door::check(entity, world.experiment);
+  validation::check(entity, world.experiment);
   refuseIfNobodyCommands(world, entity);
   std::vector<Claim> claims;
   for (const std::string& engine : intervention.engines) {

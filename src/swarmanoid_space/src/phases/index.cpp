@@ -36,11 +36,11 @@ bool hasAnyoneCrossed(const ByRow<Pose>& poses, const ByRow<char>& outside, cons
 
 void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events,
            const Workers& workers) {
-  constexpr double kEdge = 1e-3;  // m
-  constexpr double kSunk = 0.1;   // m: below the ground; hard landings sink in by centimetres without leaving the arena
+  constexpr double kTolerance = 1e-3;  // m
+  constexpr double kSunk = 0.1;  // m: below the ground; hard landings sink in by centimetres without leaving the arena
   index.update(space.entities);
-  const Inside inside{{space.corner.x() - kEdge, space.corner.y() - kEdge, space.lowestGround() - kSunk},
-                      space.farCorner().array() + kEdge};
+  const Inside inside{{space.corner.x() - kTolerance, space.corner.y() - kTolerance, space.lowestGround() - kSunk},
+                      space.farCorner().array() + kTolerance};
   if (!hasAnyoneCrossed(space.entities.pose, outside, inside, workers)) {
     return;
   }

@@ -10,7 +10,7 @@
 
 namespace swarmanoid {
 
-void Simulation::takeOutFallen() {
+void Simulation::removeFallen() {
   World& world = *world_;
   phases::fall(world.space, fallen_, world.space.events);
   if (fallen_.empty()) {

@@ -42,7 +42,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   restoreLocale();
   stopwatch.lap(phase_times_.control);
   phases::actuate(world.space, world.assembly.groups, faulty_, world.assembly.workers);
-  stopWhoMust(found.is_failure || !faulty_.empty(), found.is_stop);
+  stopFailedRobots(found.is_failure || !faulty_.empty(), found.is_stop);
   phases::cutPower(world.space, world.assembly.robots);
   stopwatch.lap(phase_times_.actuate);
   phases::move(world.space, world.assembly.engines, world.assembly.workers, are_phases_timed_, phase_times_.engines);
@@ -50,7 +50,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   phases::connect(world.space, world.assembly.engines, world.assembly.groups);
   phases::handOver(world.space, world.assembly.engines, world.assembly.robots, world.assembly.triggers,
                    world.assembly.memberships);
-  takeOutFallen();
+  removeFallen();
   stopwatch.lap(phase_times_.connect);
   phases::index(world.space, world.space.index, world.space.outside, world.space.events, world.assembly.workers);
   phases::power(world.space);
@@ -63,7 +63,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     world.space.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
   }
   double seconds = 0.0;
-  finish_asked_ = askRules();
+  finish_asked_ = runRules();
   stopwatch.lap(seconds);
   phase_times_.rule += seconds;
   finish_asked_ = phases::show(world.space, world.assembly.observers) || finish_asked_;
@@ -87,7 +87,7 @@ void Simulation::showPending() {
 
 /// @return whether a rule requests the end. A rule that fails ends the run; its tick is complete nevertheless, and is
 /// shown.
-bool Simulation::askRules() {
+bool Simulation::runRules() {
   World& world = *world_;
   try {
     return phases::rule(world.space, world.assembly.rules, world.queue);
@@ -110,11 +110,11 @@ void Simulation::sense() {
   }
 }
 
-void Simulation::stopWhoMust(bool have_failed, bool have_been_told) {
+void Simulation::stopFailedRobots(bool have_failed, bool are_stopping) {
   if (have_failed) {
     noteFailures();
   }
-  if (have_failed || have_been_told) {
+  if (have_failed || are_stopping) {
     phases::stopSafely(world_->space, world_->assembly.robots);
   }
 }

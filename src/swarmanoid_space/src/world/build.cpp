@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "../experiment_file/door.hpp"
+#include "../experiment_file/entity_validation.hpp"
 #include "configure.hpp"
 #include "distribute.hpp"
 #include "entities.hpp"
@@ -145,7 +145,7 @@ void buildEntities(World& world) {
     }
   }
   for (const EntityDescription& entity : world.experiment.arena.entities) {
-    door::check(entity, world.experiment);
+    validation::check(entity, world.experiment);
     const std::vector<Membership> memberships = membershipsOf(entity.id, claims[entity.id], world.assembly.engines);
     if (entity.distribution) {
       distribute(world, entity, memberships);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../experiment_file/door.hpp"
+#include "../experiment_file/entity_validation.hpp"
 #include "curve_place.hpp"
 #include "entities.hpp"
 
@@ -95,11 +95,11 @@ Eigen::Vector3d Placing::originOf(const World& world, const EntityDescription& g
 
 void Placing::refuseOutside() const {
   if (distribution_.around.empty()) {
-    return;  // already checked by door::check
+    return;  // already checked by validation::check
   }
   for (const Eigen::Vector3d& corner : {bounds_.min(), bounds_.max()}) {
-    door::checkPosition("place around '" + distribution_.around + "'", origin_ + corner, *model_,
-                        world_.experiment.arena, distribution_.location);
+    validation::checkPosition("place around '" + distribution_.around + "'", origin_ + corner, *model_,
+                              world_.experiment.arena, distribution_.location);
   }
 }
 

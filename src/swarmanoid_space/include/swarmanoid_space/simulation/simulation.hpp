@@ -147,10 +147,10 @@ class Simulation {
   void switchPower();
   void playInterventions(bool after_rules);
   void showPending();
-  bool askRules();
-  void stopWhoMust(bool have_failed, bool have_been_told);
+  bool runRules();
+  void stopFailedRobots(bool have_failed, bool are_stopping);
   void noteFailures();
-  void takeOutFallen();
+  void removeFallen();
   void logNewOverflows();
 
   std::unique_ptr<World> world_;  // the space, and all objects that act on it

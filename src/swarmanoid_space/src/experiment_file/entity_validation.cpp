@@ -1,4 +1,4 @@
-#include "door.hpp"
+#include "entity_validation.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -11,7 +11,7 @@
 #include "swarmanoid_space/models/entity_type.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
-namespace swarmanoid::door {
+namespace swarmanoid::validation {
 namespace {
 
 [[noreturn]] void refuse(const SourceLocation& location, const std::string& what, const std::string& found,
@@ -177,11 +177,11 @@ void check(const EntityDescription& entity, const Experiment& experiment) {
 
 void checkPosition(const std::string& what, const Eigen::Vector3d& position, const EntityModel& model,
                    const ArenaDescription& arena, const SourceLocation& location) {
-  constexpr double kEdge = 1e-3;  // m: as for the event left_arena, except at the ground
+  constexpr double kTolerance = 1e-3;  // m: as for the event left_arena, except at the ground
   const double lowest = arena.terrain ? std::min(0.0, arena.terrain->bounds().min().z()) : 0.0;
   const Eigen::Vector3d corner(arena.corner.x(), arena.corner.y(), lowest);
-  Eigen::Vector3d least = corner.array() - kEdge;
-  Eigen::Vector3d most = arena.farCorner().array() + kEdge;
+  Eigen::Vector3d least = corner.array() - kTolerance;
+  Eigen::Vector3d most = arena.farCorner().array() + kTolerance;
   if (!model.is_movable) {
     least.fill(limits::kCoordinate.minimum);
     most.fill(limits::kCoordinate.maximum);
@@ -196,4 +196,4 @@ void checkPosition(const std::string& what, const Eigen::Vector3d& position, con
   refuse(location, what, textOf(position), "in the arena, from " + textOf(corner) + " to " + textOf(arena.farCorner()));
 }
 
-}  // namespace swarmanoid::door
+}  // namespace swarmanoid::validation

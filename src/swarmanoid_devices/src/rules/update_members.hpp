@@ -12,7 +12,7 @@ namespace swarmanoid::devices {
 /// them.
 /// @param rows candidates to add, by entity number @param is_meant whether a row belongs on the list
 template <class Record, class IsMeant>
-void enlist(const Space& space, const std::vector<Row>& rows, IsMeant is_meant, std::vector<Record>& list) {
+void updateMembers(const Space& space, const std::vector<Row>& rows, IsMeant is_meant, std::vector<Record>& list) {
   const Entities& entities = space.entities;
   list.erase(std::remove_if(list.begin(), list.end(),
                             [&](const Record& record) { return entities.find(record.number) == kNoRow; }),

@@ -8,7 +8,7 @@
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 
-namespace swarmanoid::door {
+namespace swarmanoid::validation {
 
 /// Returns whether the text is a valid name. Names become parts of files, topics and frames: letters, digits and _, a
 /// letter first.
@@ -27,4 +27,4 @@ void check(const EntityDescription& entity, const Experiment& experiment);
 void checkPosition(const std::string& what, const Eigen::Vector3d& position, const EntityModel& model,
                    const ArenaDescription& arena, const SourceLocation& location);
 
-}  // namespace swarmanoid::door
+}  // namespace swarmanoid::validation

@@ -1,6 +1,6 @@
-/// Huddles: islands of bodies that may meet in a step, among those that do not move freely.
+/// Islands: groups of bodies that may meet in a step, among those that do not move freely.
 ///
-/// Bodies are numbered by their position in the list of all moving bodies; blocks are ranges of it. A huddle lies
+/// Bodies are numbered by their position in the list of all moving bodies; blocks are ranges of it. An island lies
 /// within a block, or it is open: bodies outside the block may meet one of its bodies. Threads: each may work on a
 /// block of its own.
 #pragma once
@@ -10,14 +10,14 @@
 
 namespace swarmanoid::kinematics2d {
 
-class Huddles {
+class Islands {
  public:
   void resize(std::size_t count) {
     first_.resize(count);
     is_open_.resize(count);
   }
 
-  /// Makes each body of a range a huddle of its own.
+  /// Makes each body of a range an island of its own.
   void part(std::size_t first, std::size_t last, bool are_open) {
     for (std::size_t k = first; k < last; ++k) {
       first_[k] = static_cast<std::uint32_t>(k);
@@ -34,7 +34,7 @@ class Huddles {
   bool isOpen(std::size_t k) { return is_open_[firstOf(k)] != 0; }
 
  private:
-  /// Root of the body's huddle (union-find). Each call shortens the paths.
+  /// Root of the body's island (union-find). Each call shortens the paths.
   std::size_t firstOf(std::size_t k) {
     while (first_[k] != k) {
       first_[k] = first_[first_[k]];
