@@ -44,22 +44,26 @@ TEST_F(SpotLightTest, ShinesWithTheSquareOfTheDistanceAndNotBesideItsCone) {
 }
 
 TEST_F(SpotLightTest, LightsSomeSensorsOfARobotOnly) {
-  // straight down from 1.3 m above the sensors' plane: a disc of 1.3 m tan(2.2 degrees) = 0.049942 m
-  addSpot({4.085, 5.0, 1.36}, 0.0, M_PI / 2.0, 4.4, 800.0);
+  // straight down from 1.3 m above the sensors' plane, 0.105 m ahead of the robot's axis: it lights a disc of
+  // the radius 1.3 m tan(2.2 degrees) = 0.049942 m
+  constexpr double kLamp = 0.105;
+  addSpot({4.0 + kLamp, 5.0, 1.36}, 0.0, M_PI / 2.0, 4.4, 800.0);
   SensorUnderTest<Light> sensor(world, robot);
   const Light& light = sensor.sense();
+  int lit = 0;
   for (std::size_t i = 0; i < 24; ++i) {
-    // the lamp is right above sensor 0: sensor i is 0.085 |2 sin(a / 2)| from its axis, and `ahead` is along the
-    // sensor's direction
     const double angle = 15.0 * static_cast<double>(i) * kDegree;
-    const double way = 0.085 * 2.0 * std::abs(std::sin(0.5 * angle));
-    const double ahead = 0.085 * (std::cos(angle) - 1.0);
-    EXPECT_EQ(light.sensors[i].value > 0.0F, way <= 0.049942 && ahead > 0.0) << i;
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d to_lamp = Eigen::Vector2d(kLamp, 0.0) - 0.085 * direction;
+    const bool is_lit = to_lamp.norm() <= 0.049942 && to_lamp.dot(direction) > 0.0;
+    EXPECT_EQ(light.sensors[i].value > 0.0F, is_lit) << i;
+    lit += is_lit ? 1 : 0;
   }
+  EXPECT_EQ(lit, 3) << "the foremost sensor and its neighbours";
   world.pose(robot).position.x() += 0.03;
-  const Light& moved = sensor.sense();
-  EXPECT_EQ(moved.sensors[0].value, 0.0F) << "it is behind it";
-  EXPECT_GT(moved.sensors[12].value, 0.0F - 1e-9);
+  for (const auto& moved : sensor.sense().sensors) {
+    EXPECT_EQ(moved.value, 0.0F) << "the lamp is above the body, behind all sensors";
+  }
 }
 
 TEST_F(SpotLightTest, CastsShadows) {
