@@ -25,8 +25,8 @@ LIMITS = {
     "who has": 0,
 }
 STRING = r'"(?:\\.|[^"\\\n])*"' + r"|'(?:\\.|[^'\\\n])*'"
-C_TOKEN = re.compile(STRING + r"|(?P<comment>//[^\n]*|/\*.*?\*/)", re.S)
-SHELL_COMMENT = re.compile(r"^\s*(#.*)$", re.M)
+C_TOKEN = re.compile(STRING + r"|(?P<comment>//[^\n]*(?:\n\s*//[^\n]*)*|/\*.*?\*/)", re.S)
+SHELL_COMMENT = re.compile(r"^[ \t]*(?P<comment>#.*(?:\n[ \t]*#.*)*)$", re.M)
 CODE_BLOCK = re.compile(r"^```.*?^```|^    .*?$|`[^`\n]*`", re.M | re.S)
 WORD = re.compile(r"\b(" + "|".join(word.replace(" ", r"(?:\s|///?|#)+") for word in LIMITS) + r")\b", re.I)
 
@@ -47,9 +47,8 @@ def prose_of(path, text):
     else:
         pattern = C_TOKEN if path.suffix in (".cpp", ".hpp") else SHELL_COMMENT
         for found in pattern.finditer(text):
-            comment = found.group("comment") if pattern is C_TOKEN else found.group(1)
-            if comment:
-                yield text.count("\n", 0, found.start()) + 1, comment
+            if found["comment"]:
+                yield text.count("\n", 0, found.start("comment")) + 1, found["comment"]
 
 
 def places(paths):

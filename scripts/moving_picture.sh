@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# moving_picture.sh: makes docs/images/object_retrieval.gif, the picture of the README, from a run: a picture each five ticks.
-# Needs a devel space that is sourced, and ffmpeg. Takes a minute.
+# moving_picture.sh: makes docs/images/object_retrieval.gif, the picture of the README, from a run, with a frame every five ticks.
+# Needs a sourced devel space and ffmpeg. Takes a minute.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 work=$(mktemp -d)

@@ -2,8 +2,8 @@
 """tidy.py BUILD_FOLDER [--since DATE]: runs clang-tidy over the sources of all packages built there, without tests.
 
 Unity builds are checked per unit. A unit is skipped if its preprocessed text, its checks and the version of clang-tidy are those
-of its last pass, which BUILD_FOLDER/tidy_passed stores. --since restricts the check to units with a source that commits after that
-date have changed; the date has the format of `git log --since`."""
+of its last pass, which BUILD_FOLDER/tidy_passed stores. --since restricts the check to units with a source whose code has
+changed since the last commit before that date; comments do not count. The date has the format of `git log --since`."""
 
 import argparse
 import concurrent.futures
@@ -15,6 +15,8 @@ import re
 import shlex
 import subprocess
 import sys
+
+from check_prose import C_TOKEN
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CHECKS = ROOT / ".clang-tidy"
@@ -38,12 +40,24 @@ def fingerprint(unit, checks):
     return hashlib.sha256(checks + shlex.join(command).encode() + text).hexdigest()
 
 
+def code_of(text):
+    """@return a C++ file without layout and comments, except those that disable checks"""
+    without = C_TOKEN.sub(lambda token: " " if token["comment"] and "NOLINT" not in token.group() else token.group(), text)
+    return without.split()
+
+
 def changed_since(date):
-    """Paths changed by commits since a date; in a clone without history, the only commit has changed all paths. None without a
-    repository."""
-    log = subprocess.run(["git", "log", f"--since={date}", "--name-only", "--format="], cwd=ROOT, stdout=subprocess.PIPE, text=True,
-                         check=False)
-    return set(log.stdout.split()) if log.returncode == 0 else None
+    """@return sources whose code differs from that of the last commit before a date; None if there is no such commit, as in a clone
+    without history"""
+    def git(*arguments):
+        return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=False).stdout
+
+    before = git("rev-list", "-1", f"--before={date}", "HEAD").strip()
+    if not before:
+        return None
+    changed = git("diff", "--name-only", before, "--", "*.cpp").split()
+    return {path for path in changed if (ROOT / path).exists()
+            and code_of(git("show", f"{before}:{path}")) != code_of((ROOT / path).read_text())}
 
 
 def main():

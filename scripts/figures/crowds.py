@@ -7,12 +7,10 @@ from typing import NamedTuple
 
 import numpy
 import swarmanoid
+from footbot_bodies import axes_of, depths, reach
 
-RADIUS = 0.085        # of a footbot's body, a cylinder [m]
-HALF_HEIGHT = 0.068   # of it [m]
-CENTRE = 0.078        # of it, above the ground [m]
-UPRIGHT = 1e-6        # robots that lean less stand upright [rad]
-NEAR = 0.25           # robots that are farther apart do not touch [m]
+CENTRE = 0.078        # of a footbot's body, above the ground [m]
+NEAR = 0.22           # robots that are farther apart do not touch, however they lean [m]
 SECONDS = 35.0        # in which the crowd forms
 MEASURED = 40         # ticks at the end
 SAMPLES = 50          # of the overlap
@@ -65,55 +63,20 @@ def tick_ms(run):
     return 1e3 * (time.process_time() - begin) / MEASURED
 
 
-def axes_of(poses):
-    """@return upward axes of robots, one a row"""
-    x, y, z, w = poses[:, 3:7].T
-    return numpy.column_stack((2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)))
-
-
-def reach(axes, directions):
-    """@return how far bodies reach from their centres along unit directions [m]"""
-    along = numpy.clip(numpy.abs((axes * directions).sum(-1)), 0, 1)
-    return HALF_HEIGHT * along + RADIUS * numpy.sqrt(1 - along**2)
-
-
-def depths(centres_a, axes_a, centres_b, axes_b):
-    """@return for each pair of bodies, the shortest way that parts them [m]: the least over all directions, found by
-    grids that get finer"""
-    apart = centres_b - centres_a
-    azimuth = numpy.arctan2(apart[:, 1], apart[:, 0])
-    elevation = numpy.zeros_like(azimuth)
-    pairs = numpy.arange(len(apart))
-    grid_a, grid_e = (g.ravel() for g in numpy.meshgrid(numpy.linspace(-1, 1, 11), numpy.linspace(-1, 1, 11)))
-    width = 1.0  # of half a grid [rad]
-    while width > 1e-6:
-        a, e = azimuth[:, None] + width * grid_a, elevation[:, None] + width * grid_e
-        directions = numpy.stack((numpy.cos(e) * numpy.cos(a), numpy.cos(e) * numpy.sin(a), numpy.sin(e)), -1)
-        depth = (reach(axes_a[:, None], directions) + reach(axes_b[:, None], directions)
-                 - (apart[:, None] * directions).sum(-1))
-        best = depth.argmin(1)
-        azimuth, elevation = a[pairs, best], e[pairs, best]
-        width *= 0.4
-    return depth[pairs, best]
-
-
 def overlap_of(run, side):
-    """@return largest overlap of the bodies of two robots, or of a robot and a wall [m]"""
+    """@return largest overlap of the bodies of two robots, or of a robot and a wall [m]; not above 0 without one"""
     poses = run.robots.poses
     axes = axes_of(poses)
     centres = poses[:, :3] + CENTRE * axes
     sideways = numpy.stack([reach(axes, direction) for direction in numpy.eye(3)[:2]], -1)
     deepest = max((sideways - centres[:, :2]).max(), (centres[:, :2] + sideways).max() - side)
-    for i in range(1, len(centres)):
-        apart = numpy.hypot(*(centres[:i] - centres[i]).T[:2])
-        lean = numpy.maximum(numpy.hypot(*axes[:i].T[:2]), numpy.hypot(*axes[i, :2]))
-        upright = lean < UPRIGHT
-        deepest = max(deepest, (2 * RADIUS - apart[upright]).max(initial=-1))
-        near, = numpy.nonzero(~upright & (apart < NEAR))
-        if near.size:
-            same = numpy.full(near.size, i)
-            deepest = max(deepest, depths(centres[near], axes[near], centres[same], axes[same]).max())
-    return deepest
+    apart = numpy.linalg.norm(centres[:, None] - centres[None], axis=-1)
+    first, second = numpy.nonzero(numpy.triu(apart < NEAR, 1))
+    line = (centres[second] - centres[first]) / apart[first, second, None]
+    along_the_line = reach(axes[first], line) + reach(axes[second], line) - apart[first, second]
+    may = along_the_line > deepest  # the shortest way is not longer than that along the line
+    first, second = first[may], second[may]
+    return max(deepest, depths(centres[first], axes[first], centres[second], axes[second]).max(initial=deepest))
 
 
 def crowds(table):

@@ -27,7 +27,7 @@ class Table:
         self._origin = f"{commit.stdout.strip()}, {datetime.date.today()}"
 
     def add(self, what, figure, seen, reached):
-        """@param reached None without a promise"""
+        """@param reached None if the figure is not promised"""
         verdict = "-" if reached is None else "yes" if reached else "**not reached**"
         self._rows[what] = [what, figure, seen, verdict, self._origin]
         print(f"{what}: {seen} ({verdict})", file=sys.stderr)
