@@ -1,5 +1,5 @@
-// Two or more footbots carry a robot between them: each grips it at its side by the turret. They drive when all of them
-// report a grip by WiFi, and release the robot when it reports that it has arrived.
+// Two or more footbots carry a robot between them: each grips it at its side by the turret. They drive when none of
+// them reports a missing grip by WiFi, and release the robot when it reports that it has arrived.
 #include <cmath>
 
 #include "carrying_words.hpp"

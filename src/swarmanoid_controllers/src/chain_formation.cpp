@@ -1,7 +1,7 @@
-// Chain formation, after Nouyan and Dorigo, "Chain based path formation in swarms of robots", ANTS 2006: footbots with
-// a view no wider than the distance to their neighbours form a chain from the nest to a prey. A robot explores along
-// the chain. At its end the robot joins at random; the last link leaves at random and explores anew. Links shine in
-// three colours in turn, so a robot that sees two of them knows the direction of the nest.
+// Chain formation, after Nouyan and Dorigo, "Chain based path formation in swarms of robots", ANTS 2006: footbots that
+// see no farther than their neighbours form a chain from the nest to a prey. A robot explores along the chain. At its
+// end the robot joins at random; the last link leaves at random and explores again. Links shine in three colours in
+// turn, so two visible links give a robot the direction of the nest.
 #include <algorithm>
 #include <array>
 #include <optional>

@@ -44,7 +44,7 @@ class Predators final : public Controller {
 
   static Eigen::Vector2d towards(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
 
-  /// Repels like a neighbour; attracts less than one, but from any distance at which it is visible.
+  /// Repels like a neighbour; attracts less than a neighbour, but from any distance at which it is visible.
   Eigen::Vector2d forceOfPrey() const {
     const std::optional<Sighting> prey = nearestBlob(*camera_, prey_color_);
     if (!prey) {
@@ -54,7 +54,7 @@ class Predators final : public Controller {
     return (force > 0.0 ? appetite_ * force : force) * towards(prey->bearing());
   }
 
-  /// Drives along the force, ahead or backwards, while turning towards it; the speed is proportional to a weak force.
+  /// Drives along the force, ahead or backwards, while turning towards it; below kFull the speed is proportional to it.
   void drive(const Eigen::Vector2d& force) {
     constexpr double kFull = 0.5;      // force from which on the speed is maximal
     constexpr double kTurnGain = 1.5;  // 1/s

@@ -2,7 +2,7 @@
 /// the model are looked up once, when a robot is added. Commanded angles are limited to the joint's stops, and speeds
 /// to the motor's maximum.
 ///
-/// A new actuator of a robot is its struct and a class such as
+/// To add an actuator, write its struct and a class such as
 ///
 ///     class MyNeckActuator final : public JointActuator<MyNeckActuator, MyNeck> {
 ///      public:

@@ -1,4 +1,4 @@
-// Generic devices of any robot, compared with the specific devices of footbots and on robots with other parts.
+// Generic devices of any robot: compared with the specific devices of footbots, and on robots with other parts.
 #include <gtest/gtest.h>
 
 #include <cmath>

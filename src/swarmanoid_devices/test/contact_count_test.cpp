@@ -28,7 +28,7 @@ TEST(ContactCountTest, TwoTouchUpToTheGapAndNoFarther) {
   }
 }
 
-/// The gripper reaches 0.11 m ahead. A robot at that distance is touched ahead, but not beside it.
+/// The gripper reaches 0.11 m ahead. It touches a robot at that distance straight ahead, but not one at the side.
 TEST(ContactCountTest, AGripperTouchesWhatIsAheadOnly) {
   const Stand one{3.1, 2.7, 0.73};
   const double distance = 0.11 + kRadius + 0.0005;

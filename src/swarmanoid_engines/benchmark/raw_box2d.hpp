@@ -1,8 +1,8 @@
 /// Box2D alone, in its leanest use for a swarm: the reference for engines based on it.
 ///
 /// Robots are one disc, or a disc and a box, in 8 units a metre (Box2D's slop is 0.6 mm then), between four walls,
-/// created at their places. Their only drive are velocities that are set once a tick: no forces, no friction with the
-/// ground, no filter, no times of impact.
+/// created at their places. Only their velocities are set, once a tick: no forces, no friction with the ground, no
+/// filter, no times of impact.
 #pragma once
 
 #include <box2d/box2d.h>

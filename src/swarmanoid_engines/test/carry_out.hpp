@@ -1,5 +1,5 @@
-/// Devices for tests of engines, which link none: copies the state of the bank of actuation to the commands of
-/// mechanisms, as the actuators of the suite do.
+/// Stand-in for devices in tests of engines, which link none: sets the commands of mechanisms from the bank of
+/// actuation, as the actuators of the suite do.
 #pragma once
 
 #include <array>

@@ -110,7 +110,8 @@ TEST(ContactTest, NobodyIsPushedThroughAnother) {
 }
 
 TEST(ContactTest, WhoIsPushedOutIsSeenByThoseWhoHadLookedAround) {
-  // a robot turning at a wall slips towards one that stands still, far from all that move, and that drives afterwards
+  // a robot that turns at a wall slips towards a second robot, which stands still, far from all moving bodies, and
+  // drives afterwards
   World world;
   world.addBlock({0.1, 4.0, 0.5}, {2.0, 2.0, 0.25});
   const Row turning = world.addFootbot(flatPose(kWall - kTip, 2.0));

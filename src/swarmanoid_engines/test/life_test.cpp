@@ -1,4 +1,4 @@
-// Entities that the engine accepts; and those that leave it leave no trace.
+// Entities that the engine accepts; removed entities leave no trace.
 #include <gtest/gtest.h>
 
 #include <vector>

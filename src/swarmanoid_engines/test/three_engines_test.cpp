@@ -1,4 +1,4 @@
-// The same worlds in all engines with the same law there: along a wall, pressed to a wall, pushed off the middle.
+// The same scenes in all engines that have the same laws: along a wall, pressed to a wall, pushed off the middle.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -106,8 +106,8 @@ class LaunchedControllers:
         is_own = phase == "unload" or action in SIGNALS_OF_ITS_OWN
         if is_own and ending.code == program.BAD_INPUT:
             return ending.trouble_of_process(said, REFUSED, LONGEST)
-        if is_own and ending.code == program.STOPPED:  # the third signal ends a process at once, and each of the four
-                                                       # robots raises one
+        # the third signal ends a process at once, and each of the four robots raises one
+        if is_own and ending.code == program.STOPPED:
             return ending.trouble_of_process(said, INTERRUPTED, LONGEST)
         trouble = ending.trouble_of_process(said, REASON, LONGEST)
         if trouble:

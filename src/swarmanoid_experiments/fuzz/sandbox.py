@@ -1,8 +1,8 @@
 """Sandbox for fuzzed programs: only one folder is writable.
 
-For root, the process enters its own mount namespace with all file systems read-only; only the folder, the temporary folder
-of its children and /dev/shm are in memory. If that is impossible, root is rejected. Other users are restricted by their file
-permissions."""
+As root, the process enters its own mount namespace, in which all file systems except the folder are read-only; /tmp, which its
+children use, and /dev/shm are replaced by empty ones in memory. If that is impossible, root is rejected. Other users are
+restricted by their file permissions."""
 
 import ctypes
 import os

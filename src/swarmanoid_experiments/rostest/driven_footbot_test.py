@@ -24,8 +24,8 @@ TICKS = 23
 PATIENCE = 50  # ticks until a command has an effect
 START = (1.6, 1.6)  # [m], heading 0
 PATCH = ((1.8, 1.1), (2.4, 2.1))  # [m], corners; black
-WALL = ((2.045, 1.89), math.radians(147), 0.05)  # its centre [m], heading, half its thickness [m]; its ends are far
-                                                 # away
+# its centre [m], heading, half its thickness [m]; its ends are far from the robot
+WALL = ((2.045, 1.89), math.radians(147), 0.05)
 ROUNDING = 1e-3  # [m]
 
 

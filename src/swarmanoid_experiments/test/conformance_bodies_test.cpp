@@ -66,7 +66,7 @@ TEST(ConformanceBodiesTest, FindsDistanceSensorsOfAHandbotThatAreWiredWrongly) {
   expectOnHandbot(wireRing<Ring, Values>(&Ring::distance,
                                          [](Values& ring) {
                                            for (float& value : ring) {
-                                             value = std::min(value, 0.3F);  // as many drivers in open space
+                                             value = std::min(value, 0.3F);  // many drivers do so in open space
                                            }
                                          }),
                   judged + "not true: way from sensor 7 to the wall is out of range (inf): 0.300 m");

@@ -10,7 +10,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "scripts"))
-import device_pages  # from the line above
+import device_pages  # noqa: E402  found through the line above
 
 WHISTLE = "# whistle\n\nActuator. Makes a noise.\n\n- Robot: any\n- Struct: `Whistle` of `my_robots/whistle.hpp`\n"
 COMMAND = "make pages"

@@ -1,6 +1,6 @@
-// The installed experiment `emergent_taxis`: a swarm without direction sensors moves to the light, the slower the more
-// of its robots have failed motors (Bjerknes and Winfield 2010: they anchor it). It does not if robots keep the same
-// distance in light and shadow, or without a light.
+// The installed experiment `emergent_taxis`: a swarm whose robots do not measure the direction of the light moves to
+// it, the slower the more of them have failed motors (Bjerknes and Winfield 2010: they anchor it). It does not if
+// robots keep the same distance in light and shadow, or without a light.
 #include <gtest/gtest.h>
 
 #include "installed_experiment.hpp"

@@ -46,8 +46,8 @@ BETWEEN = """<interventions>
 </interventions>
 """
 FLOOR, WALL = (0.82, 0.83, 0.85), (0.55, 0.57, 0.6)
-LEVEL = 0.5 + 0.5 / (0.4**2 + 0.55**2 + 1) ** 0.5  # of a colour: half of it comes from the sun, scaled by the sine of
-                                                   # its elevation
+# of a colour on a level surface: half of it comes from the sun, scaled by the sine of its elevation
+LEVEL = 0.5 + 0.5 / (0.4**2 + 0.55**2 + 1) ** 0.5
 
 
 def render(more="", text=RENDER):

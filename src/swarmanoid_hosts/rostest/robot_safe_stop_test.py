@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """A robot over topics stops safely, each type of robot: when its controller throws, when its sensors are lost, and when
-its process is requested to end."""
+its process is asked to end."""
 
 import signal
 import sys

@@ -11,7 +11,7 @@ namespace {
 
 const double kRoot = std::sqrt(static_cast<double>(kDraws));
 
-/// Readings of `free` of many robots in one tick.
+/// Readings of `free` of kDraws robots in one tick.
 std::vector<double> overRobots(const ErrorModelDescription& error, double ideal) {
   ErrorChain chain(probeType());
   chain.add(error);

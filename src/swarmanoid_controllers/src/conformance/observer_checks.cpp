@@ -60,7 +60,8 @@ Check ringInThreeColors(Bench& bench) {
   return check;
 }
 
-/// At least about half of the ring is visible, it is as wide as the ring, and no other LED shines nearby.
+/// Checks that at least about half of the ring is visible, that the visible part is as wide as the ring, and that no
+/// LED shines in red, green or blue.
 Check ringInOneColor(Bench& bench) {
   Check check{"one_color_of_the_other", {bench.cameraDevice()}, "", {}, {}};
   const auto seen = [&bench] { return bench.see(kOneColor).has_value(); };

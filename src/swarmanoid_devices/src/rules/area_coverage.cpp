@@ -69,7 +69,7 @@ class AreaCoverage final : public MeasuringRule {
     area_->value = static_cast<double>(visited_) * cell_ * cell_;
   }
 
-  /// @param otherwise value of an empty parameter @throws ConfigError if the corner is not in the arena
+  /// @param otherwise default for an empty parameter @throws ConfigError if the corner is not in the arena
   Eigen::Vector2d cornerOr(const std::string& name, const Eigen::Vector2d& otherwise,
                            const Eigen::AlignedBox2d& arena) const {
     if (parameters_.text(name).empty()) {

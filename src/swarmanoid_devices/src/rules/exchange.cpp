@@ -61,7 +61,7 @@ class Exchange final : public Rule {
     EntityNumber number = kNoEntity;
     EntityNumber occupant = kNoEntity;  // robot whose battery is being swapped
     std::string slot;                   // property of the slot that its battery has gone to
-    double time = 0.0;                  // s, time of the swap with the robot within reach
+    double time = 0.0;                  // s, duration of the swap so far, while the robot is within reach
     double uncharged = 0.0;             // s, since its batteries were last charged
   };
 

@@ -64,7 +64,7 @@ class Flock final : public Rule {
     if (ticks_ == 1) {
       first_ = space.time;
       first_centre_ = centre;
-    } else if (is_changed) {  // arrivals and departures shift the centre: neither shift nor tick count
+    } else if (is_changed) {  // arrivals and departures shift the centre: skip the shift and its tick
       first_ += space.time - last_;
       first_centre_ += centre - last_centre_;
     } else {

@@ -89,7 +89,7 @@ class Foraging final : public Rule {
   /// A counted prey that has not been moved yet, since no free place was found.
   struct Waiting {
     EntityNumber number = kNoEntity;
-    std::uint64_t since = 0;  ///< Space::tick when it was counted
+    std::uint64_t since = 0;  ///< Space::tick when it was counted: the next tick
   };
 
   /// A robot on a battery.

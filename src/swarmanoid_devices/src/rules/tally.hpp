@@ -11,7 +11,7 @@ namespace swarmanoid::devices {
 class Tally {
  public:
   Tally() = default;
-  /// @param count, per_minute metrics of the rule @param enough ends the run with a success; 0: the run is not judged
+  /// @param count, per_minute metrics of the rule @param enough count of a success, which ends the run; 0: not judged
   Tally(Metric& count, Metric& per_minute, double enough) : count_(&count), per_minute_(&per_minute), enough_(enough) {}
 
   void add() { count_->value += 1.0; }

@@ -1,5 +1,5 @@
 /// Base class of simulated colour-blob cameras. They differ in position, direction and shape of the field of view
-/// (field_of_view.hpp). A camera that sees all around is its struct and
+/// (field_of_view.hpp). A camera that sees all around consists of its struct and
 ///
 ///     class MyCameraSensor : public ColorBlobCameraSensor<MyCamera, RingView> {
 ///      public:

@@ -2,7 +2,7 @@
 /// solid, terrain or floor, by Distance::reading. The sensors are at the links distance_0, distance_1, ..., and look
 /// along the x axes of the links.
 ///
-/// New sensors of a robot are their struct with `range_min` and `range_max`, and a class such as
+/// To add distance sensors, write their struct with `range_min` and `range_max`, and a class such as
 ///
 ///     class MyDistanceSensor final : public DistanceRingSensor<MyDistanceSensor, MyDistance, MyDistance::kCount> {
 ///      public:

@@ -4,7 +4,7 @@
 ///
 /// Engines let bodies penetrate the ground slightly: a spot up to 1 cm below the ground reads the floor there.
 ///
-/// New ground sensors of a robot are their struct with `std::array<float, kCount> value`, and a class such as
+/// To add ground sensors, write their struct with `std::array<float, kCount> value`, and a class such as
 ///
 ///     class MyGroundSensor final : public GroundSpotsSensor<MyGroundSensor, MyGround, MyGround::kCount> {
 ///      public:

@@ -2,7 +2,7 @@
 /// Light::share, and saturates unless an implementation has another response. The sensors are at the links light_0,
 /// light_1, ..., or, if the robot has none of them, proximity_0, proximity_1, ...
 ///
-/// A new ring of a robot is its struct with `std::array<float, kCount> value`, and a class such as
+/// To add a ring, write its struct with `std::array<float, kCount> value`, and a class such as
 ///
 ///     class MyLightSensor final : public LightRingSensor<MyLightSensor, MyLight, MyLight::kCount> {
 ///      public:

@@ -3,7 +3,7 @@
 /// message is received if the two transmitters are within the range of the receiver, if with `line_of_sight` nothing
 /// but the two robots is between them, and if it is not lost (LossLaw). A robot does not receive its own messages.
 ///
-/// A receiver is its struct, which derives from ReceivedMessages, and a class such as
+/// A receiver consists of its struct, which derives from ReceivedMessages, and a class such as
 ///
 ///     class MyBoardReceiver final : public MessageReceiver<MyBoardReceived, MyBoard> {
 ///      public:
@@ -206,10 +206,11 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     }
   }
 
-  /// Finds all senders that are received up to some distance: one with more senders than slots, or else the range.
+  /// Finds all senders that are received up to a search distance, which is doubled until it contains more senders than
+  /// slots, or reaches the range.
   void hearNearest(const Space& space, Instance& instance, const Eigen::Vector3d& own_position,
                    Scratch& scratch) const {
-    constexpr std::size_t kFarTooMany = 4;  // times the slots: half the distance suffices
+    constexpr std::size_t kFarTooMany = 4;  // times the slots: the next search starts with half the distance
     constexpr double kNearest = 1e-3;       // m, lower bound, so that it can grow again
     const std::vector<Found>& heard = scratch.senders.found;
     const bool looks_around = table_.few() == nullptr;

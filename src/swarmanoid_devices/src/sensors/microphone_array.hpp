@@ -2,7 +2,7 @@
 /// together they measure the direction of the loudest source. They are at the links microphone_0, microphone_1, ... of
 /// the robot's description.
 ///
-/// New microphones of a robot are their struct with `std::array<float, kCount> level` and `LoudestSound loudest`, and a
+/// To add microphones, write their struct with `std::array<float, kCount> level` and `LoudestSound loudest`, and a
 /// class such as
 ///
 ///     class MyMicrophones final : public MicrophoneArray<MyMicrophones, MyEars, MyEars::kCount> {

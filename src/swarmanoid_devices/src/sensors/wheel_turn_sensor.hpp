@@ -22,8 +22,8 @@ struct WheelTurnInstance : BasicSensorInstance<Device> {
 };
 
 /// `Counter` derives from this, and computes its readings from the wheel turns of a tick:
-/// `void count(const Space&, Instance&, const WheelTurns& turned, const WheelTurns& step, double dt)`, both in rad,
-/// writes `state`.
+/// `void count(const Space&, Instance&, const WheelTurns& turned, const WheelTurns& step, double dt)` writes
+/// `state`. `turned` counts since the sensor was added, `step` is its change in this tick, both in rad.
 template <class Counter, class Device>
 class WheelTurnSensor : public SensorOf<Device, WheelTurnInstance<Device>> {
  public:

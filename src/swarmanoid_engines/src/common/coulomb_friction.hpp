@@ -1,4 +1,4 @@
-/// Coulomb friction along a surface: the force that opposes a slipping contact. Threads: may be called at once.
+/// Coulomb friction along a surface: the force that opposes a slipping contact. Threads: may run concurrently.
 #pragma once
 
 #include <Eigen/Core>

@@ -26,7 +26,7 @@ void SolverBody::shift(const Eigen::Vector2d& impulse, const Eigen::Vector2d& ar
 }
 
 void ContactConstraint::prepare(const SolverBodies& bodies, double step) {
-  constexpr double kFastestOut = 0.3;  // m/s: of a body that leaves a mirror placed onto it
+  constexpr double kFastestOut = 0.3;  // m/s: separation speed from a mirror placed onto a body
   const SolverBody& body_a = bodies[static_cast<std::size_t>(a)];
   const SolverBody& body_b = bodies[static_cast<std::size_t>(b)];
   const bool has_limit = std::isfinite(most);

@@ -9,8 +9,8 @@ namespace {
 /// Displacement of a point after which gaps are computed again [m].
 constexpr double kFarthest = 5e-3;
 /// A push opens this many times the depth (successive over-relaxation): displacements spread through a crowd of n rows
-/// of robots in the order of n sweeps instead of n squared. 2 and more would diverge. Pushes are
-/// not taken back, so where there is no room for all they go to and fro; the last sweeps open the depth only.
+/// of robots in the order of n sweeps instead of n squared. 2 and more would diverge. Sweeps never undo pushes, so
+/// bodies without enough room oscillate; therefore the last sweeps open only the depth itself.
 constexpr double kOverRelaxation = 1.9;
 
 }  // namespace
@@ -19,7 +19,7 @@ void CrowdCorrection::correct(SolverBodies& bodies, const std::vector<ContactCon
   constexpr int kMostRounds = 10;
   constexpr int kMostSweeps = 250;  // in all rounds
   constexpr int kRelaxedSweeps = 150;
-  constexpr double kEnough = 0.5;  // of `allowed`: what remains in a linear solution
+  constexpr double kEnough = 0.5;  // of `allowed`: depth that may remain in a linear solution
   int sweeps = 0;
   for (int round = 0; round < kMostRounds && sweeps < kMostSweeps && linearise(bodies, contacts) > allowed; ++round) {
     bool is_done = false;
@@ -69,7 +69,7 @@ bool CrowdCorrection::sweep(int number, double allowed, double relaxation) {
     Displacement& a = displacements_[row.a];
     Displacement& b = displacements_[row.b];
     if (number > 1 && std::max(a.last_sweep, b.last_sweep) < number - 1) {
-      continue;  // as deep as when the row was looked at last
+      continue;  // the depth is the same as in the last sweep
     }
     const double opened = row.x * (b.x - a.x) + row.y * (b.y - a.y) + row.lever_b * b.turn - row.lever_a * a.turn;
     const double depth = row.depth - opened;

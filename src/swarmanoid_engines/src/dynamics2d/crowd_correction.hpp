@@ -1,4 +1,4 @@
-/// Position correction of large islands: moves bodies apart that are in each other.
+/// Position correction of large islands: moves penetrating bodies apart.
 ///
 /// Gaps are linear in small displacements. A round computes all gaps and their gradients once, then sweeps over the
 /// contacts and pushes each pair of bodies apart until no contact is deeper than allowed. A round ends early when a
@@ -44,7 +44,7 @@ class CrowdCorrection {
   /// Computes the rows of the contacts that the displacements of a round can close. @return the largest depth [m]
   double linearise(const SolverBodies& bodies, const std::vector<ContactConstraint>& contacts);
   /// Pushes bodies apart that are deeper than allowed, contact by contact. @param number of the sweep in the round,
-  /// from 1 @param relaxation how many times the depth a push opens @return whether there were such
+  /// from 1 @param relaxation how many times the depth a push opens @return whether there were any
   bool sweep(int number, double allowed, double relaxation);
   /// Whether gaps must be computed again.
   bool isFar(const SolverBodies& bodies) const;

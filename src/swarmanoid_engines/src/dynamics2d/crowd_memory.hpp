@@ -1,8 +1,8 @@
 /// Contact forces of large islands, which warm-start the solver in the next tick.
 ///
-/// Forces spread through a crowd by one row of robots a sweep. Without those of the last tick, each tick would begin
-/// with a crowd that nothing holds. They are a first guess only, so those of bodies that were placed elsewhere do no
-/// harm.
+/// Forces spread through a crowd by one row of robots a sweep. Without the forces of the last tick, each tick would
+/// begin with an unsupported crowd. They are only a first guess, so the forces of bodies that were placed elsewhere do
+/// no harm.
 ///
 /// Threads: one at a time for each object.
 #pragma once
@@ -26,12 +26,12 @@ class CrowdMemory {
  public:
   /// Forgets all forces.
   void clear();
-  /// Stores the forces of a contact until the next tick. @param step that had the contact's impulses [s]
+  /// Stores the forces of a contact until the next tick. @param step length of the step of its impulses [s]
   void keep(const BodyNumbers& bodies, const ContactConstraint& contact, double step);
   /// Ends a tick: the forces that it stored replace those of the tick before.
   void finishTick();
-  /// Appends the contacts of two bodies in the last tick, with their impulses in a step. @param pair of the bodies, in
-  /// the island @param step [s]
+  /// Appends the contacts of two bodies in the last tick, with their impulses in a step. @param pair index of the pair
+  /// of bodies in the island @param step [s]
   void recall(const BodyNumbers& bodies, int pair, double step, std::vector<ContactConstraint>& contacts) const;
 
  private:

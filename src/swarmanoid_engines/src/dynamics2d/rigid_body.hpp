@@ -73,8 +73,11 @@ struct RigidBody {
   // Made on first use.
   std::vector<ContactShape> shapes;
   Support support;
-  std::array<Eigen::Vector2d, 2> treel_forces{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  ///< last step's [N]
-  Eigen::Vector2d last_push = Eigen::Vector2d::Zero();  ///< of other drives, in the last step, in the plane [N]
+
+  // Of the last step, in the axes of the plane. Forces of treels are those of the last island, and a first guess in
+  // the next large one.
+  std::array<Eigen::Vector2d, 2> treel_forces{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  ///< [N]
+  Eigen::Vector2d last_push = Eigen::Vector2d::Zero();  ///< of other drives [N]
 
   bool isConnected() const { return grip.isHolding() || held_by > 0; }
   /// Whether it does not move at all.

@@ -1,7 +1,7 @@
 /// The two treels of a robot, and their impulses on the ground, which bring the robot to the commanded motion, as far
 /// as the ground holds; the impulse of a slipping treel opposes its slip (Coulomb).
 ///
-/// Frame: the body's centre of mass, at heading 0. SI units. Threads: may be called at once.
+/// Frame: the body's centre of mass, at heading 0. SI units. Threads: may run concurrently.
 #pragma once
 
 #include <Eigen/Core>

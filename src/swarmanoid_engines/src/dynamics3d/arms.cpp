@@ -51,7 +51,7 @@ double turnedTo(const EntityModel::Joint& joint, const Link& link) {
   return isEndless(joint) ? angle : link.angle + wrapAngle(angle - link.angle);
 }
 
-/// Difference of the commanded angle, within the joint's range, and the joint's angle [rad].
+/// The commanded angle, limited to the joint's range, minus the joint's angle [rad].
 double missingTo(const EntityModel::Joint& joint, const Link& link) {
   const double target = link.command.value;
   return isEndless(joint) ? wrapAngle(target - link.angle) : std::clamp(target, joint.lower, joint.upper) - link.angle;

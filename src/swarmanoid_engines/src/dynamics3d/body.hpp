@@ -155,7 +155,7 @@ struct Body {
   enum class Island {
     kNone,     ///< no island: between steps, or with `iterative`
     kSmall,    ///< ODE's exact solver
-    kSolved,   ///< ODE's exact solver, which corrects other islands now
+    kSolved,   ///< solved by ODE's exact solver, while solutions of other islands are corrected
     kLarge,    ///< ODE's iterative solver
     kContacts  ///< contact solver
   };

@@ -16,7 +16,7 @@ Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose);
 /// Boxes sorted along x, so that a query goes through a slice of the world. For robots in arenas the slice is thin;
 /// boxes wider than most (walls) are tested one by one. `Item` is cheap to copy and compare.
 ///
-/// Only `add` allocates. Threads: visitNear from many at once.
+/// Only `add` allocates. Threads: visitNear may run concurrently.
 template <class Item>
 class SortedBounds {
  public:

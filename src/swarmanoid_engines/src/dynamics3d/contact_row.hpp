@@ -1,6 +1,6 @@
 /// Bodies and contacts of the contact solver (contact_solver.hpp). Frame W, SI units.
 ///
-/// A contact asks for a velocity of body a relative to body b. Its impulse leaves an error of `softness` times the
+/// A contact has a wanted velocity of body a relative to body b. Its impulse leaves an error of `softness` times the
 /// impulse; along the normal it only pushes, and along the tangents Coulomb's law limits its length. Depth correction,
 /// softness and bounce are those of ODE's contact joints.
 #pragma once

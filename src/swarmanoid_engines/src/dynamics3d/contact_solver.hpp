@@ -44,7 +44,7 @@ class ContactSolver {
   dWorldID world_ = nullptr;
   double step_ = 0.0;                   // [s]
   std::size_t bodies_ = 0;              // in the world
-  std::vector<ContactRow> rows_;        // of this step; if it is empty, what follows is not up to date
+  std::vector<ContactRow> rows_;        // of this step; if empty, the members below are out of date
   std::vector<Mover> movers_;           // element 0 stands for everything immovable
   std::vector<std::size_t> by_rank_;    // index into movers_; 0: not added
   std::vector<std::size_t> order_;      // indices into rows_, island by island

@@ -14,7 +14,7 @@ namespace swarmanoid::dynamics3d {
 /// sides
 int collideSides(dGeomID a, dGeomID b, dContactGeom* found);
 
-/// A cylinder on a plane: four contacts around a face, two along its side, or one of them on an edge.
+/// A cylinder on a plane: up to four contacts around a face, two along its side, or one on an edge.
 /// @param found array of four
 /// @return number of contacts; 0 if the first geom is not a cylinder
 int collidePlane(dGeomID cylinder, dGeomID plane, dContactGeom* found);

@@ -124,8 +124,8 @@ class Dynamics3d final : public Engine {
   bool correctFriction(double step);
   void finishSolution();
   bool correctRopes(double step);
-  /// Solves small islands again that `mark_astray` marks, at most so many times. @param count counts these solutions
-  /// @return false if the solver gave up
+  /// Solves small islands again that `mark_astray` marks. @param most limit of repetitions @param count counts these
+  /// solutions @return false if the solver gave up
   template <class MarkAstray>
   bool correct(double step, int most, std::uint64_t& count, MarkAstray mark_astray);
   void markAstrayRopes(double step);

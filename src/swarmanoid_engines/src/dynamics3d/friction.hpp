@@ -81,9 +81,9 @@ class Friction {
 
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // first axis of friction
     double slip_per_force = 0.0;                      // across it [m/s/N]
-    bool keeps_axis = false;                          // it slips already, or is a treel's: kept in a step
-    bool is_known = false;                            // the axis comes from a solution of this step
-    double limit = -1.0;                              // of friction [N]; below 0: ODE's limit
+    bool keeps_axis = false;  // in this step: the contact slips already, is a treel's, or pushes
+    bool is_known = false;    // the axis comes from a solution of this step
+    double limit = -1.0;      // of friction [N]; below 0: ODE's limit
   };
 
   /// Forgets the contacts of the last step.

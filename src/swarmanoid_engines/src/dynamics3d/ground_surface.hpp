@@ -65,7 +65,7 @@ class GroundSurface {
   Terrain::Cells cellsIn(const Eigen::AlignedBox3d& box) const {
     return terrain_->cellsIn(box.min().head<2>(), box.max().head<2>());
   }
-  /// Height of the foot of cliffs: the level ground; without one, below the whole terrain.
+  /// Height at which cliffs meet the level ground; without level ground, a height below the whole terrain.
   double foot() const;
   template <class Visit>  // void visit(const RimEdge&)
   void visitRim(const Eigen::AlignedBox3d& box, Visit visit) const;

@@ -1,10 +1,10 @@
 /// Steps of robots that hang on a taut rope, which keep the energy of a swing.
 ///
-/// ODE's integration of rotation adds or removes some per cent of a body's energy a minute, and closes gaps of hinges
-/// by a fifth in each step, so that forces on an arm lag behind the body's rotation. For hanging robots, the gyroscopic
-/// torque is that of the midpoint rule in the rigid body's own frame; and a step is solved again until the hinges are
-/// closed at its end, within 2 um (the SHAKE scheme, as for ropes). ODE has no input for that correction: during a
-/// solution, the link is displaced so that ODE closes the gap which the step opens.
+/// ODE's integration of rotation adds or removes some per cent of a body's energy a minute. ODE also closes only a
+/// fifth of a hinge's gap in each step, so that forces on an arm lag behind the body's rotation. For hanging robots,
+/// the gyroscopic torque is that of the midpoint rule in the rigid body's own frame; and a step is solved again until
+/// the hinges are closed at its end, within 2 um (the SHAKE scheme, as for ropes). ODE has no input for that
+/// correction: during a solution, the link is displaced so that ODE closes the gap which the step opens.
 #pragma once
 
 #include "dynamics3d/body.hpp"

@@ -3,9 +3,9 @@
 ///
 /// A contact that misses a velocity gives an impulse of the missing velocity times its stiffness, as far as it may push
 /// and rub. Friction of a contact that slips is as large as its limit, along the slip that the softness leaves. The
-/// limit is that of the load, or fixed; with fixed limits the solution is the least of a convex energy.
+/// limit is that of the load, or fixed; with fixed limits the solution is the minimum of a convex energy.
 ///
-/// Frame W, SI units. Threads: any at once, each with its own balance.
+/// Frame W, SI units. Threads: one at a time for each object.
 #pragma once
 
 #include <Eigen/LU>
@@ -19,7 +19,7 @@ namespace swarmanoid::dynamics3d {
 
 /// Linear velocity of the centre of mass, then angular velocity, in W.
 constexpr int kUnknownsOfABody = 6;
-/// Movable bodies of an island; the matrix of more takes longer than sweeps do.
+/// Limit of the movable bodies in an island: with more, Newton's method takes longer than sweeps.
 constexpr std::size_t kMostNewtonBodies = 4;
 
 /// A contact, with the velocities of its bodies as unknowns. Vectors are along the contact's axes.
@@ -84,7 +84,7 @@ class MomentumBalance {
     return std::sqrt(sum);
   }
 
-  /// Returns the error down to which solutions are looked for: rounding may allow no less for light bodies [m/s].
+  /// Returns the error at which a solution is accepted [m/s]: larger for light bodies, where rounding allows no less.
   double precision() const {
     constexpr double kEnough = 1e-9;
     constexpr double kRounding = 1e-15;
@@ -134,7 +134,7 @@ class MomentumBalance {
     return momentum;
   }
 
-  /// Returns the velocity of a relative to b along the contact's axes [m/s]. Immovable bodies count as at rest..
+  /// Returns the velocity of a relative to b along the contact's axes [m/s]. Immovable bodies count as at rest.
   static Eigen::Vector3d velocityBetween(const BalanceRow& row, const Unknowns& velocities) {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
     if (row.a >= 0) {

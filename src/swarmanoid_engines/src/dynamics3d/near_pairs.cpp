@@ -48,7 +48,7 @@ const std::vector<Body*>& Touches::findPairs(std::size_t bodies) {
     if ((a->is_dynamic || b->is_dynamic) && !areJoined(*a, *b) && !passes(*a, *b) && !passes(*b, *a)) {
       pairs_.emplace_back(std::min(a->rank, b->rank), std::max(a->rank, b->rank));
       for (Body* body : {a, b}) {
-        body->steadiness.time = 0.0;  // the support may be removed later
+        body->steadiness.time = 0.0;  // the other body may support it, and be removed later
         if (body->steadiness.is_left_out) {
           reached_.push_back(body);
         }

@@ -1,8 +1,8 @@
 /// The Open Dynamics Engine library in this engine: started once per process, used by one world at a time.
 ///
 /// ODE has state of the whole process (a random seed, default threading, counts of its users). Each caller holds an
-/// OdeLock, which excludes other callers, and sets the world's own random seed while it is held. So the worlds of one
-/// process neither disturb each other nor depend on their order. ODE makes no threads here.
+/// OdeLock, which excludes other callers, restores the world's own random seed, and saves it on release. So the worlds
+/// of one process neither disturb each other nor depend on their order. ODE makes no threads here.
 #pragma once
 
 #include <ode/ode.h>

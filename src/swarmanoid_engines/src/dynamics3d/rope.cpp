@@ -70,7 +70,7 @@ dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, std::s
   // The rope pulls along its direction at the start of the step, so that its ends are its length apart at the end.
   // Meanwhile a swing moves the ends across the rope, which takes them apart; a pull by the speed that the last step
   // left would come too late. The correction covers the rest: the launcher moves along an arc about the centre of mass,
-  // which the tension turns.
+  // and the tension turns the body.
   const Vector3d speed =
       speedAfter(world, robot.rigid, launcher, step) - speedAfter(world, rope.held->rigid, anchor, step);
   const double across = step * (speed - rope.towards.dot(speed) * rope.towards).norm();

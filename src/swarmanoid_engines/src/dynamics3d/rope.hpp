@@ -5,8 +5,8 @@
 /// surfaces, with the opposite sign. So it is solved together with all other contacts, by the exact solver exactly. Its
 /// tension acts along the direction at the start of the step, and leaves its ends its length apart at the end: a swing
 /// then keeps its energy at any time step (the SHAKE scheme; velocities are those of the middle of the step). ODE
-/// solves for velocities, and the launcher moves along an arc when the body turns: so a step is solved again until the
-/// ends are the length apart, within 1 um (hanging.hpp for the body's own rotation). A rope that becomes taut absorbs
+/// solves for velocities, and the launcher moves along an arc when the body turns: so a step is solved again until its
+/// ends are its length apart, within 1 um (hanging.hpp for the body's own rotation). A rope that becomes taut absorbs
 /// the speed along it, without rebound.
 #pragma once
 

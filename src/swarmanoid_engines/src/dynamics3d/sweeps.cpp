@@ -19,7 +19,7 @@ constexpr std::size_t kMostSweeps = 100;
 constexpr std::size_t kContactsTimesSweeps = 10000;  // sets the sweeps between these two limits
 constexpr std::size_t kThoroughSweeps = 300;
 constexpr std::size_t kSweepsOverOthers = 7;  // after each sweep over all contacts
-constexpr double kConverged = 1e-4;           // m/s, a thousandth of what gravity adds in a step of 10 ms
+constexpr double kConverged = 1e-4;           // m/s, a thousandth of the speed by gravity in a step of 10 ms
 constexpr double kRough = 0.01;               // m/s: faster changes are impacts, which get more sweeps
 constexpr double kConvergedThorough = 1e-6;   // m/s
 

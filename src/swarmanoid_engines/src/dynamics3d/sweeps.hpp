@@ -1,10 +1,10 @@
 /// Projected Gauss-Seidel with warm start, for islands of many contacts (E. Catto, Iterative Dynamics with Temporal
 /// Coherence, Game Developers Conference 2005).
 ///
-/// A sweep corrects contacts one after the other, forwards and then backwards. A sweep over all contacts of an island
-/// is followed by some over those that it changed: the others are open, or stand firm. The impulses of the last step
-/// are the first guess, so a pressed crowd needs few sweeps. The limit of friction is that of the normal impulse of the
-/// same sweep.
+/// A sweep corrects contacts one after the other, forwards and then backwards. After a sweep over all contacts of an
+/// island, some sweeps visit only those that it changed: the others are open, or hold already. The impulses of the last
+/// step are the first guess, so a pressed crowd needs few sweeps. The limit of friction is that of the normal impulse
+/// of the same sweep.
 ///
 /// Contacts are sorted by levels. A contact has a higher level than the contacts before it that share a mover with it,
 /// so the order by levels gives the same result, and the processor works on several contacts of a level at once.
@@ -42,7 +42,7 @@ class Sweeps {
     Columns turning = Columns::Zero();  // from angular velocity to velocity along the axes [m/rad]
     Columns spin = Columns::Zero();     // from impulse along the axes to angular velocity [rad/s per N s]
   };
-  /// One contact, with what does not change from sweep to sweep.
+  /// One contact, with the quantities that are the same in all sweeps.
   struct Contact {
     Lever a;
     Lever b;                                                  // unused if its mover is 0, immovable

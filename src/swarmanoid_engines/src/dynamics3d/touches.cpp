@@ -51,7 +51,7 @@ int findContacts(dGeomID a, dGeomID b, dContactGeom* found) {
   return count == 0 && may_be_missed ? collideConvex(a, b, found) : count;
 }
 
-/// Whether a hand or a magnet of `robot` holds the object, and `solid` is part of it.
+/// Whether a hand or a magnet of `robot` holds the object, and `solid` is on the same rigid body as that holder.
 bool isHeldWith(const Body& robot, const Solid& solid, const Body& object) {
   const auto holds = [&](const Grip& grip) { return grip.holds(object) && grip.holder == dGeomGetBody(solid.geom); };
   return robot.holding != nullptr && std::any_of(robot.holding->grips.begin(), robot.holding->grips.end(), holds);

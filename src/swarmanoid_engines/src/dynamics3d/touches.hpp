@@ -22,7 +22,7 @@ struct Touch {
   dContactGeom geometry = {};  ///< in W; the depth includes kMargin, the normal points out of b
 };
 
-/// Memory is allocated for so many touches a body; crowds have fewer.
+/// Touches of a body for which memory is allocated; crowds have fewer.
 constexpr std::size_t kMostTouchesOfABody = 24;
 
 class Touches {

@@ -28,7 +28,7 @@ struct Turret {
 };
 
 /// Reason why the robot's gripper cannot be simulated with these devices; "" if it can, or is not used. A gripper turns
-/// only with a turret: a gripper on a link with a rigid body of its own would grip where the link is not.
+/// only with a turret: on a link with a rigid body of its own, the gripping place would not follow the link.
 std::string unsupportedGripperReason(const EntityModel& model, const std::vector<DeviceUse>& devices);
 
 /// Finds the robot's turret, and the command of its motor. If other joints are commanded too, the links of the robot

@@ -45,8 +45,8 @@ void Kinematics2d::movePiece(BodyIndex index, double dt, const Block& block) {
   turnPiece(index, body.turn_rate * dt, block);
 }
 
-/// Makes the whole turn, or the largest of its halves, quarters and so on that is possible, pushed out of overlaps if
-/// need be.
+/// Makes the whole turn, or the largest of its halves, quarters and so on that is possible; if need be, pushes the body
+/// out of overlaps.
 void Kinematics2d::turnPiece(BodyIndex index, double turn, const Block& block) {
   constexpr int kParts = 5;
   const PlacedPose& pose = bodies_[index].pose;

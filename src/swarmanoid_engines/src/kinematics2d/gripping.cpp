@@ -37,8 +37,8 @@ bool Kinematics2d::mayGrip(BodyIndex index) const {
   return motion(index).gripped == kNoBody && motion(index).gripped_by == kNoBody;
 }
 
-/// A prey has at most one gripper at a time, a robot without a drive any number. Driven bodies, and bodies that grip
-/// something, cannot be gripped.
+/// A prey has at most one gripper at a time, a robot without a drive any number. Robots with wheels, flying robots, and
+/// bodies that grip something, cannot be gripped.
 bool Kinematics2d::mayBeGripped(BodyIndex index) const {
   const Body& body = bodies_[index];
   if (motion(index).gripped != kNoBody) {

@@ -50,8 +50,8 @@ void Kinematics2d::moveGroup(BodyIndex gripped, double dt) {
     smallest = std::min(smallest, bodies_[index].model->inner_radius);
     arm = std::max(arm, motion(index).place_of_gripped.position.norm());
   }
-  const double way_of_farthest =
-      whole.position.norm() + arm * std::abs(whole.heading);  // grippers also swing around it
+  // grippers also swing around the gripped body
+  const double way_of_farthest = whole.position.norm() + arm * std::abs(whole.heading);
   const int pieces = std::max(1, static_cast<int>(std::ceil(way_of_farthest / (0.5 * smallest))));
   for (int i = 0; i < pieces; ++i) {
     const planar::PlanarPose way = wayOfGroup(gripped, dt / pieces);

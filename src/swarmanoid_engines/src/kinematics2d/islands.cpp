@@ -53,7 +53,7 @@ void Kinematics2d::lookAround(std::size_t k, double slide_allowance, const Block
       joinIsland(k, other, block);
     }
   }
-  // both sides still have this step's step length ahead, and later approach by the distance travelled
+  // both sides may still move by this step's length, and later approach by the distance travelled
   around.free_until = freeUntil(nearest - 2.0 * step_length_, all_);
   around.look_ahead = lookAheadFor(nearest);
 }

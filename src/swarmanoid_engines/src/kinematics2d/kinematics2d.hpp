@@ -283,7 +283,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   std::vector<BodyIndex> others_;     // see Block
   std::vector<BodyIndex> strays_;     // see Block
   std::vector<std::int32_t> places_;  // by body: position in movers_
-  Islands islands_;                   // of movers_, in the step under way
+  Islands islands_;                   // of movers_, in the current step
 
   // Bounds on the motion of any body. With them most bodies need no search in most steps (see Clearance).
   double mirrors_moved_ = 0.0;    // by mirrors, before this tick [m]

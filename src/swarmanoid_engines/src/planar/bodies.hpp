@@ -1,6 +1,7 @@
 /// Bodies of a planar engine: their poses, their shapes in the plane, and queries for neighbours.
 ///
-/// The index of a body stays the same as long as the body is in the engine. Threads: const functions may run at once.
+/// The index of a body stays the same as long as the body is in the engine. Threads: const functions may run
+/// concurrently.
 #pragma once
 
 #include <algorithm>
@@ -87,7 +88,7 @@ class Bodies {
   bool place(const Space& space, BodyIndex index);
   void setPose(BodyIndex index, const PlacedPose& pose);
   /// As setPose, without updating the grid: bodies for which isInOtherCell then holds need `refreshCell` before the
-  /// next query of neighbours. Threads: may be called at once for different bodies. @pre the body is not large
+  /// next query of neighbours. Threads: may run concurrently for different bodies. @pre the body is not large
   void setPoseOnly(BodyIndex index, const PlacedPose& pose) {
     Body& body = (*this)[index];
     body.pose = pose;

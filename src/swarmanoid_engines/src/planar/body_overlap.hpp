@@ -1,5 +1,5 @@
 /// Overlaps of bodies: tests their shapes (figure 3.9) and their heights against each other. Threads: the functions may
-/// run at once.
+/// run concurrently.
 #pragma once
 
 #include "planar/bodies.hpp"

@@ -19,7 +19,7 @@ inline PlanarRay relativeTo(const Body& body, const Plane& plane, const Segment&
           plane.along(segment.to) - height};
 }
 
-/// Some rays of a bundle, projected to the plane, and their common range of heights.
+/// Some rays of a bundle, projected to the plane, and the range of heights that holds all of them.
 struct PlanarRays {
   static constexpr std::size_t kMost = 32;
 

@@ -2,7 +2,7 @@
 ///
 /// Spheres, and cylinders along the normal, become circles; all other shapes become their outline (boxes along the
 /// axes: rectangles). The outline of a lying cylinder is that of a ring of points around each face. Threads: the
-/// functions may run at once.
+/// functions may run concurrently.
 #pragma once
 
 #include <Eigen/Core>

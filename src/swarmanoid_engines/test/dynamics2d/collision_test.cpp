@@ -91,7 +91,7 @@ TEST(CollisionTest, WhatPressesOnAnotherSinksInByNoMoreThanTheTolerance) {
   World world({10.0, 10.0, 2.0}, 10);
   const Row prey = world.addPrey(0.1, 0.1, 1.0, 1.0, 1000.0);
   const Row footbot = world.addFootbot(flatPose(1.3, 1.0));
-  world.drive(footbot, -0.1);  // with its round back ahead
+  world.drive(footbot, -0.1);  // backwards, with its round back towards the prey
   world.step(100);
   const double gap = world.pose(footbot).position.x() - world.pose(prey).position.x() - 0.185;
   EXPECT_GT(gap, -0.65e-3);

@@ -85,8 +85,8 @@ class CrushingTest : public ::testing::TestWithParam<Case> {
 };
 
 TEST_P(CrushingTest, BetweenAWallAndAMirrorThatIsPutUponItAFootbotStaysOnItsSide) {
-  // a mirror pushes a body that it is placed onto by at most 0.3 m/s, which limits its depth in the wall to one step of
-  // that
+  // a mirror that is placed onto a body pushes it with at most 0.3 m/s, so its depth in the wall is at most the way of
+  // one step at that speed
   EXPECT_GT(crushed.press(std::vector<double>(30, 0.09)), 0.085 - 0.3 * kStep - 1e-3);
   expectFreedom();
 }

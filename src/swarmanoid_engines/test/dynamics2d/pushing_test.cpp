@@ -288,7 +288,7 @@ INSTANTIATE_TEST_SUITE_P(Steps, CrowdPushTest,
                          testing::Values(Steps{5, 1}, Steps{100, 4}, Steps{50, 1}, Steps{100, 1}));
 
 TEST(StartTest, AStartedPreyGoesTheSameWayInAllSteps) {
-  // 0.174 m/s after the robot has accelerated by friction, half a millimetre before the prey
+  // the robot starts half a millimetre before the prey; the friction of its treels accelerates it to 0.174 m/s
   for (const Steps& steps : {Steps{5, 1}, Steps{10, 1}, Steps{25, 1}, Steps{50, 1}, Steps{100, 4}, Steps{100, 1}}) {
     constexpr double kSpeed = 0.174;
     constexpr double kMass = 0.3;

@@ -108,7 +108,7 @@ TEST(FlightTest, ItLandsAndStartsAgain) {
   EXPECT_LT(tiltOf(world.pose(eyebot)), 0.01);
   world.flight(eyebot).linear.z() = 0.3;
   world.step(40);
-  EXPECT_NEAR(world.pose(eyebot).position.z(), 1.1, 0.12);  // it first reverses the commanded descent
+  EXPECT_NEAR(world.pose(eyebot).position.z(), 1.1, 0.12);  // the set point starts below the ground
 }
 
 TEST(FlightTest, ABumpDoesNotBringItDown) {

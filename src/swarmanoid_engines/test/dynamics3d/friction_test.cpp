@@ -103,8 +103,8 @@ TEST_P(DirectionTest, WhatRestsHoldsUntilCoulombsLimit) {
 INSTANTIATE_TEST_SUITE_P(Sixteen, DirectionTest, testing::Range(7.0, 367.0, 22.5));
 
 TEST(FrictionTest, AlongASmoothWallARobotIsAsFastAsItsTreelsAlongIt) {
-  // the wall pushes squarely, through the robot's axis; so must friction, and the slip, the missing speed in that
-  // direction
+  // the wall pushes along its normal, through the robot's axis; so friction and slip are along the normal too, and the
+  // slip is the commanded speed into the wall
   for (const double degrees : {55.0, 63.0, 71.0}) {
     World world({{"friction", "0"}, {"treel_friction", "0.4"}});
     const double across = degrees * kDegree;  // from straight at the wall

@@ -1,4 +1,4 @@
-// Boxes on tilted boxes: they rest within the friction angle, and beyond it slide as by Newton and Coulomb.
+// Boxes on tilted boxes: they rest within the friction angle, and beyond it slide by the laws of Newton and Coulomb.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -58,7 +58,7 @@ class Ramps {
   std::mt19937_64 random_;
 };
 
-/// Turn of the box relative to the ramp: a quarter turn or any angle [rad].
+/// Turn of the box relative to the ramp: some quarter turns, or any angle [rad].
 double turnOnRamp(Ramps& ramps) {
   return ramps.pick(3) == 0 ? ramps.within(0.0, 2.0 * M_PI) : 0.5 * M_PI * ramps.pick(4);
 }

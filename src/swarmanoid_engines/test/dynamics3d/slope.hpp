@@ -24,7 +24,8 @@ struct Slope {
   Row block = kNoRow;
 };
 
-/// Expects that the block stays at 0.97 of the friction angle, and slides at 1.03 of it as by Newton and Coulomb.
+/// Expects that the block stays at 0.97 of the friction angle, and slides at 1.03 of it by the laws of Newton and
+/// Coulomb.
 /// @param direction [rad]; @param most_creep in 5 s of staying [m]; @param most_sideways part of the way that it slides
 template <class Made>
 void expectToSlideFromTheFrictionAngleOn(double direction, double most_creep, double most_sideways) {

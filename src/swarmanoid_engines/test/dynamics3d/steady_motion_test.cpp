@@ -1,4 +1,4 @@
-// Bodies in steady motion are moved without ODE: as by ODE, and only without neighbours.
+// Bodies in steady motion are moved without ODE: with the same results, and only without neighbours.
 #include "dynamics3d/steady_motion.hpp"
 
 #include <gtest/gtest.h>

@@ -168,8 +168,8 @@ INSTANTIATE_TEST_SUITE_P(Swings, WideSwingTest,
 
 /// Remaining share of the energy after some seconds, if the rope's drag brakes a small swing in the plane of the arms.
 double expectedShare(const Swing& swing, double drag, double seconds) {
-  // Rope and stiff robot, with angles a and b from the vertical: m L2 a'' + m L d b'' + m g L a = -drag L2 a', m L d
-  // a'' + (I + m d2) b'' + m g d b = 0. Both angles start equal; each of the two modes decays separately.
+  // Rope and stiff robot, with angles a and b from the vertical: m L2 a'' + m L d b'' + m g L a = -drag L2 a',
+  // m L d a'' + (I + m d2) b'' + m g d b = 0. Both angles start equal; each of the two modes decays separately.
   const EntityModel& model = *robotModel("handbot");
   const double m = model.mass;
   const double d = (model.centre_of_mass - model.mount("rope_launcher").position).norm();

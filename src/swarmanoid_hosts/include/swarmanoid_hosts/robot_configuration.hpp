@@ -2,7 +2,7 @@
 /// the safe stop. On a robot this is a YAML file (docs/how-to/run_on_a_robot.md); here it is a Configuration, from any
 /// source.
 ///
-///     robot_type: footbot                       a type that devices name; any, with devices for any robot only
+///     robot_type: footbot                       a type that devices name; or any, if all devices are for any robot
 ///     rate: 10                                  of the controller [Hz], 0.1 to 1000
 ///     seed: 1                                   of robot.random()
 ///     sensors: [footbot_proximity]              device types

@@ -69,8 +69,8 @@ class AttachmentPoint {
   /// @pre waitForAll has returned
   std::shared_ptr<void> part(PluginKind kind, const std::string& id) const;
   using LossHandler = std::function<void(PluginKind kind, const std::string& id)>;
-  /// Sets the handler for detached parts, which must not return before the part is out of use. After setLossHandler
-  /// returns, the former handler is not running and will not be called again.
+  /// Sets the handler that is called when a part is detached. It must not return before the part is out of use. After
+  /// setLossHandler returns, the former handler is not running and will not be called again.
   void setLossHandler(LossHandler handler);
 
  private:

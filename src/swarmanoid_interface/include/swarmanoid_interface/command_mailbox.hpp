@@ -31,7 +31,7 @@ class CommandMailbox {
   // Functions for the space.
 
   bool isOpen(const std::string& robot) const;
-  /// Accepts commands for these robots only from now on, and discards commands for other robots.
+  /// Accepts commands for these robots only from now on, and discards pending commands for other robots.
   void accept(std::set<std::string> robots);
   /// Returns true if no robot accepts commands.
   bool isIdle() const;

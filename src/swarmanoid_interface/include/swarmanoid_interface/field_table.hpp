@@ -20,7 +20,7 @@ struct FieldPlaces {
   std::vector<std::size_t> offsets;  ///< of its numbers, last index fastest [byte]
   std::vector<std::size_t> shape;    ///< of one record; empty: a single number
   std::size_t description = 0;       ///< index in DeviceType::fields
-  /// A contiguous run of the same numbers in a record; the runs together cover the field.
+  /// A contiguous run of the field's bytes in a record; the runs in this order make up the field.
   struct Piece {
     std::size_t offset = 0;
     std::size_t size = 0;

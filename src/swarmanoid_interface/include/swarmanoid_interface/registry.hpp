@@ -76,7 +76,7 @@ struct PluginDescription {
   std::string summary;         ///< one sentence
   std::vector<Parameter> parameters;
   std::vector<std::string> label_aliases;           ///< other tags that mean the same (the names of the thesis)
-  std::vector<std::string> implementation_aliases;  ///< other values of `<implementation>`
+  std::vector<std::string> implementation_aliases;  ///< other values of `<implementation>` that mean the same
   std::vector<Mechanism> mechanisms;                ///< sensors and actuators: mechanisms that the robot must have
   /// Devices: robot types that have the device even if their description does not list it; empty: any. It is kRobot of
   /// the device's struct, if defined.

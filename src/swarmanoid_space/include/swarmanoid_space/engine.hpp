@@ -114,8 +114,8 @@ class Engine {
   /// Gives an entity back; its pose and twist in the space are already up to date. Grips in `structure` stay, for the
   /// next engine of the entity.
   virtual void remove(Space& space, Row row) = 0;
-  /// Reads the pose of an entity that was set from outside, or of a mirror before a handover to this engine is decided.
-  /// @pre the pose is valid, no overlap, unless it is a mirror
+  /// Reads the pose of an entity that was set from outside, or of a mirror just before entities are handed over to this
+  /// engine. @pre the pose is valid, no overlap, unless it is a mirror
   virtual void place(Space& space, Row row) = 0;
   /// Gives all entities back.
   virtual void clear() = 0;

@@ -35,8 +35,8 @@ struct DeleteEntity {
   std::string entity;
 };
 
-/// Moves an entity to another pose, at rest; everything that held it is released. Refused: an unknown name, an invalid
-/// pose, an overlap.
+/// Moves an entity to another pose, at rest; all its grips and attachments, and those of others on it, are released.
+/// Refused: an unknown name, an invalid pose, an overlap.
 struct MoveEntity {
   std::string entity;
   Pose pose;

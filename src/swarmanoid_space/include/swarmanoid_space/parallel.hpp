@@ -2,8 +2,8 @@
 ///
 /// Threads  may be used in the phases in which the plugin is called, from the calling thread. Data that the work of one
 ///          range writes must not be read or written by any other range.
-/// Repeats  the partition into ranges depends on the number of threads, their assignment to threads on chance. Results
-///          must depend on neither.
+/// Repeats  the partition into ranges depends on the number of threads, and the assignment of ranges to threads on
+///          chance. Results must depend on neither.
 #pragma once
 
 #include <cstddef>

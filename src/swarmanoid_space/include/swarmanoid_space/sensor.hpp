@@ -92,7 +92,8 @@ template <class Device>
 struct SensorFault {
   DeviceFault errors;
   Device* delivered = nullptr;  ///< the struct that the controller reads
-  /// Without errors, if the configuration has none; otherwise unused, since they are stored elsewhere.
+  /// The readings without errors, if the configuration has no errors; otherwise unused, since they are stored
+  /// elsewhere.
   Device readings{};
 };
 
@@ -205,7 +206,7 @@ class SensorOf : public Sensor {
     errors_.addAlias(kind, field, parameter, value);
     chooseDelivery();
   }
-  /// Maximum number of elements of a span of the readings; errors on spans reserve memory for so many.
+  /// Maximum number of elements of a span of the readings; errors on spans reserve memory for this many.
   virtual std::size_t mostElements() const { return 0; }
 
   /// Called before a new instance is added, for example to read the entity's model.

@@ -55,8 +55,8 @@ struct ControllerState {
 };
 
 /// Visits the name of the engine that moves an entity. It is part of the state hash, so two runs that differ only in
-/// the engine have different hashes at once, before their poses differ. Walls are skipped: they may be in several
-/// engines, and no engine moves them.
+/// the engine have different hashes at once, before their poses differ. Fixed entities, such as walls, are skipped:
+/// they may be in several engines, and no engine moves them.
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Engine* mover);
 
 class Space {

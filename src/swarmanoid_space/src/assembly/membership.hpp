@@ -20,7 +20,7 @@ struct Membership {
 /// A request to add an entity to an engine.
 struct Claim {
   std::string engine;
-  std::optional<Role> role;  ///< none: the engine moves it if no other claim does
+  std::optional<Role> role;  ///< none: if no claim says kMove, the first engine moves it, others mirror it
   SourceLocation location;
 };
 

@@ -47,8 +47,9 @@ struct alignas(64) RobotInstance {
   std::optional<Time> stops_since;  ///< start of a safe stop in progress; the robot's controller no longer commands it
   UserCode step;                    ///< description of the controller's step for UserCode
   ControllerGroup* group = nullptr;
-  std::optional<CommandSource> source_when_charged;  ///< source to restore; set while the battery is empty
-  Duration command_timeout{};                        ///< with kTopics, this and the next
+  /// Source to restore; set while the battery is empty, when `source` is kNone.
+  std::optional<CommandSource> source_when_charged;
+  Duration command_timeout{};  ///< with kTopics, this and the next
   Time last_command = kEpoch;
   std::string failure;  ///< reason, set by `control` or `actuate` in the tick of the failure
 };

@@ -30,8 +30,8 @@ RobotInstance& requireRobot(World& world, const std::string& name);
 /// @throws ConfigError if it is refused; then nothing has changed
 void take(World& world, const Intervention& intervention, const std::string& asked_by, bool after_rules);
 
-/// Carries out all requests of rules. @throws std::runtime_error that names the rule if a request is refused that may
-/// not be
+/// Carries out all requests of rules.
+/// @throws std::runtime_error naming the rule if a request that must succeed (InterventionQueue::ask) is refused
 void takeAsked(World& world);
 
 }  // namespace swarmanoid

@@ -1,5 +1,5 @@
-// Part of phase 3: robots without a commander are stopped safely. The commands of a safe stop take effect in this tick,
-// and may continue for some more.
+// Part of phase 3: robots that are no longer commanded are stopped safely. The commands of a safe stop take effect in
+// this tick, and may continue for some more.
 #include "phases.hpp"
 
 namespace swarmanoid::phases {

@@ -7,7 +7,7 @@
 
 namespace swarmanoid {
 
-/// Converts without validation, which is the task of the space (Simulation::spawn).
+/// Converts without validation, which is the task of the space (Simulation::apply).
 /// @throws std::exception for another frame, or an invalid colour
 EntityDescription toDescription(const swarmanoid_msgs::EntitySpecification& specification);
 

@@ -12,8 +12,8 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-/// @param let_go cancels the awaited job @return its result; let_go returns whether the caller may stop waiting
-/// @throws SimulationBusy
+/// @param let_go cancels the awaited job, and returns whether the caller may stop waiting @return the job's result
+/// @throws SimulationBusy if users' code is late and the caller may stop waiting
 template <class Result, class LetGo>
 Result waitUnlessLate(std::future<Result>& result, LetGo let_go) {
   constexpr auto kInterval = std::chrono::milliseconds(200);

@@ -149,7 +149,7 @@ Placing::Draw Placing::nextAtRandom() {
   const double v = random_.uniform();
   const double w = random_.uniform();
   const Eigen::Vector3d point = distribution_.pointAt({u, v, w});
-  // for a box, the random shares give it without rounding errors
+  // for a box, the random shares give the position in the area without rounding errors
   const Eigen::Vector2d within = distribution_.area == Distribution::Area::kBox
                                      ? Eigen::Vector2d(u * extent_.x(), v * extent_.y())
                                      : Eigen::Vector2d((point - bounds_.min()).head<2>().cwiseMax(0.0));

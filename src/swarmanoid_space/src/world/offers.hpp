@@ -5,7 +5,7 @@
 
 namespace swarmanoid {
 
-/// @throws ConfigError if a device of the robot cannot be transported to the source
+/// @throws ConfigError if a device of the robot cannot be transmitted to the source
 void refuseUnlessReachable(const RobotInstance& instance, CommandSource source);
 
 /// @throws std::runtime_error if this run has no connection over which other processes could command robots in that way

@@ -96,8 +96,8 @@ TEST(LabelsTest, GiveWayToEachOtherWhereRobotsStandTogether) {
 }
 
 TEST(LabelsTest, AreNotHiddenByAnObstacle) {
-  // the label of the southernmost robot must avoid the other robots, but neither behind the cabinet on its left, which
-  // would be closest, nor out of the arena on its right
+  // the label of the southernmost robot must avoid the other robots; it must move neither behind the cabinet on its
+  // left, which would be closest, nor out of the arena on its right
   const std::string cabinet =
       "<block id=\"cabinet\"><position>1.3, 0.7, 0.5</position>"
       "<orientation>0, 0, 0</orientation><size>0.6, 0.6, 1</size></block>";

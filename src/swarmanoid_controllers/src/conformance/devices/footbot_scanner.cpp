@@ -1,5 +1,5 @@
-// The head turns as commanded, the shortest distance of the long beams is the wall to the right, and off it measures
-// nothing.
+// The head turns as commanded, the shortest distance that the long beams measure is that to the wall on the right, and
+// a scanner that is off measures nothing.
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 
 #include <cmath>

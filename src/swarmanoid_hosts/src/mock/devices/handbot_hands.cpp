@@ -1,4 +1,4 @@
-// A handbot's hand touches an object while its arm is level, if the world has an object there.
+// A handbot's hand grips an object when its arm is level, if the world has an object there.
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 
 #include <cmath>

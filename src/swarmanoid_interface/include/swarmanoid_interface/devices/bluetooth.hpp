@@ -20,7 +20,7 @@ using BluetoothMessage = RadioMessage<Bluetooth::kBytes>;
 
 struct BluetoothReceived : ReceivedMessages<BluetoothMessage> {
   static constexpr const char* kType = "bluetooth_received";
-  static constexpr std::size_t kMostMessages = 7;  ///< number of active slaves in a piconet
+  static constexpr std::size_t kMostMessages = 7;  ///< maximum number of active slaves in a piconet
   static constexpr double kUsualRange = 10.0;      ///< maximum range between antennas, of class 2 [m]
   static constexpr bool kNeedsSight = false;
   static constexpr bool kSharesChannel = true;

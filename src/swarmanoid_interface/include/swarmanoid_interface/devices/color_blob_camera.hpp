@@ -46,7 +46,7 @@ void fields(Visitor& visit, ColorBlob& blob) {
 }
 
 /// The reading of a colour-blob camera in this tick. Omnidirectional and downward cameras measure distances; cameras
-/// that look ahead report NaN instead, which is how REP-117 marks a missing measurement. LEDs on the far side of their
+/// with a lens report NaN instead, which is how REP-117 marks a missing measurement. LEDs on the far side of their
 /// own robot are hidden. Blobs come in the order of their sources: entities by number (the LEDs of one entity by LED
 /// number), then laser spots, then floor patches. If more blobs are in sight than the camera reports, the nearest are
 /// reported, in the same order. The span is valid until the next tick.

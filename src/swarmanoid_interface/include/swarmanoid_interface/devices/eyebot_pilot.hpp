@@ -60,7 +60,7 @@ class EyebotPilot {
     wanted.z() -= wanted_sinking_;
     const Eigen::Vector3d change = wanted - velocity_;
     velocity_ += change * std::min(1.0, limits.acceleration * dt / std::max(change.norm(), kTiny));
-    // while the vertical speed still settles, expect no more descent than it commands
+    // while the vertical speed still settles, expect no more descent than velocity_ has
     wanted_sinking_ = std::min(wanted_sinking_, -velocity_.z());
     Flight flight;
     flight.yaw_rate = std::clamp(wrapTurn(yaw - yaw_) / std::max(kResponse, dt), -limits.yaw_rate, limits.yaw_rate);

@@ -25,8 +25,8 @@ struct Imu {
   };
 
   /// The response of all units of the suite. The acceleration is the mean between two moments: the rate of change of
-  /// the velocity in the robot's frame, plus angular velocity x velocity for the rotating frame, plus gravity. The last
-  /// two terms use the means of both moments. An arc at constant speed has exactly speed * turn rate.
+  /// the velocity in the robot's frame, plus angular velocity x velocity for the rotating frame, plus gravity upwards.
+  /// The last two terms use the means of both moments. An arc at constant speed has exactly speed * turn rate.
   /// @param before the motion `dt` earlier; the same as `now` if none is known @param dt greater than 0 [s]
   static Imu reading(const Motion& before, const Motion& now, double dt) {
     const Eigen::Vector3d velocity = 0.5 * (before.velocity + now.velocity);

@@ -16,7 +16,7 @@ struct LoudestSound {
   static constexpr std::size_t kFewestForBearing = 3;  ///< microphones; with fewer, front and back are ambiguous
 
   float bearing = 0.0F;     ///< direction in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi]
-  float confidence = 0.0F;  ///< its fraction of the total power, background included; 0: no bearing
+  float confidence = 0.0F;  ///< its fraction of the total power, background included, 0 to 1; 0: no bearing
   float frequency = 0.0F;   ///< [Hz]; 0: no source in range
 
   /// The reading for a source. Real arrays measure the direction of a distant source by the arrival times of its plane

@@ -15,7 +15,7 @@ namespace swarmanoid {
 
 class ElementBuffer {
  public:
-  /// Reserves memory for so many bytes.
+  /// Reserves memory for a number of bytes.
   void reserve(std::size_t bytes) { words_.resize(wordsOf(bytes)); }
 
   /// Copies elements.

@@ -71,7 +71,7 @@ class ErrorChain {
 
   /// Makes the state for a new robot. Allocates all memory that ticks need.
   /// @param seed of the experiment @param entity name of the robot
-  /// @param most_elements of a span; memory is reserved for so many
+  /// @param most_elements of a span; memory is reserved for this many
   ErrorState makeState(std::uint64_t seed, std::string_view entity, std::size_t most_elements) const;
 
   /// Disturbs a device in place. Its spans point to the state afterwards. Numbers of sensors are limited to the bounds

@@ -1,5 +1,5 @@
-/// The base classes of error models. One <error> of an experiment file changes the readings of a sensor or the commands
-/// of an actuator.
+/// The base classes of error models. An error model implements one <error> of an experiment file: it changes the
+/// readings of a sensor or the commands of an actuator.
 ///
 /// Units    numbers are in the unit of their field, and so are the parameters of a kind. Time is counted in ticks.
 /// Phases   construction of a model, firstMemory: between ticks. apply: in `sense` and `actuate`.

@@ -18,7 +18,7 @@ class FieldHistory {
   /// All slots hold the values of a device at rest, with empty spans.
   /// @param fields the whole fields to keep, the same in all later calls @param slots number of times
   /// @param resting the struct of a device at rest @param spans of the device, the same in all later calls
-  /// @param most_elements memory is reserved for so many in each span
+  /// @param most_elements of a span; memory is reserved for this many
   FieldHistory(const FieldSelection& fields, std::size_t slots, const std::byte* resting,
                const std::vector<SpanPlace>& spans, std::size_t most_elements);
 

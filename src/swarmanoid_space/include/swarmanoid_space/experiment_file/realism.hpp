@@ -1,7 +1,7 @@
 /// Presets: differences of sensors, actuators and entities from ideal ones, as data files of the installed packages.
 ///
-/// An experiment contains `<realism>typical</realism>` in <framework>, in a controller or in a device. Each device with
-/// a preset of that name gets the contents of the preset: an implementation, values, errors. Settings of the file
+/// An experiment may contain `<realism>typical</realism>` in <framework>, in a controller or in a device. Each device
+/// with a preset of that name gets the contents of the preset: an implementation, values, errors. Settings of the file
 /// itself take precedence. The preset of <framework> applies to entities, too; its battery values (battery_...) apply
 /// only to robots with a battery. The name "ideal" always exists, and means no preset.
 #pragma once

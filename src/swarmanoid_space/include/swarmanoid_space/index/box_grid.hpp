@@ -2,7 +2,8 @@
 /// the boxes that overlap it.
 ///
 /// The cost of a look-up depends on the number of boxes near it, not on the number of walls. Boxes outside the arena
-/// are in the border cells. Threads: const functions may run concurrently.
+/// are in the border cells.
+/// Threads: const functions may run concurrently.
 #pragma once
 
 #include <Eigen/Geometry>

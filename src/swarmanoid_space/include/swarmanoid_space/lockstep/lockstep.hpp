@@ -66,7 +66,7 @@ class Lockstep {
     bool is_late = false;
     std::uint64_t answers = 0;
     std::uint64_t times_late = 0;
-    std::uint64_t refused = 0;  ///< answers for a wrong tick or duplicates, also of its earlier registrations
+    std::uint64_t refused = 0;  ///< answers for a wrong tick, duplicates, answers of an earlier registration
   };
 
   // Functions for the carrier.

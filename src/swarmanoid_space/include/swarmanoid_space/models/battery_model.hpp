@@ -16,7 +16,7 @@ enum BatteryProperty : std::size_t { kBatteryCharge, kBatteryCapacitor, kBattery
 
 /// Names of these properties, also of the corresponding ones of arena objects.
 constexpr const char* kCharge = "charge";        ///< of the battery [J]
-constexpr const char* kCapacitor = "capacitor";  ///< of the super-capacitor, which bridges a missing battery [J]
+constexpr const char* kCapacitor = "capacitor";  ///< of the super-capacitor, which bridges an empty battery [J]
 constexpr const char* kSupply = "supply";        ///< charging power [W]
 constexpr Range kChargeRange{0.0, 1e9};          ///< [J]
 constexpr Range kCapacityRange{1e-6, 1e9};       ///< of batteries of robots [J]

@@ -20,8 +20,8 @@ constexpr Range kArenaSide{0.1, 10000.0};
 /// Any coordinate: of the surroundings of the arena, of planes, grounds and boxes. On both sides as large as the
 /// maximum side of the arena.
 constexpr Range kCoordinate{-10000.0, 10000.0};
-/// Lengths of bodies and heightfields. The minimum is the thickness of a sheet of paper; longer lengths than the
-/// maximum fit into no arena. Engines with coarser tolerances refuse bodies that are too thin for them.
+/// Lengths of bodies and heightfields. The minimum is the thickness of a sheet of paper; no arena has room for lengths
+/// above the maximum. Engines with coarser tolerances refuse bodies that are too thin for them.
 constexpr Range kLength{0.0001, 10000.0};
 /// Size of a floor patch or a hole; 0 if it is not used. Nothing collides with it, so it may be arbitrarily thin.
 constexpr Range kPatch{0.0, 10000.0};

@@ -25,7 +25,7 @@ class OutDescriptor {
   void write(const char* data, std::size_t size);
   /// Writes all of it, at this offset. Not for pipes.
   void writeAt(std::uint64_t place, const char* data, std::size_t size);
-  /// Reads exactly so many bytes.
+  /// Reads exactly `size` bytes.
   void readAt(std::uint64_t place, char* data, std::size_t size) const;
   /// Cuts the file to this size; the next write starts there. No effect on devices and pipes.
   void truncate(std::uint64_t size);

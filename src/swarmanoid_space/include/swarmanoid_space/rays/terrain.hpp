@@ -41,7 +41,8 @@ class Terrain {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   Eigen::Vector3d vertex(int i, int j) const { return {lineX(i), lineY(j), height(i, j)}; }
-  /// One of the cell's two triangles: that at its corner of greatest x (half 0) or of greatest y (half 1).
+  /// One of the cell's two triangles: that at its corner of greatest x and least y (half 0), or of least x and greatest
+  /// y (half 1).
   Triangle triangle(int i, int j, int half) const;
   /// Box around the rectangle, from the lowest vertex to the highest.
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }

@@ -16,8 +16,8 @@
 
 namespace swarmanoid {
 
-/// The floor, its grid, image and patches, the terrain, entities that no engine moves, and robots' bodies. Replaces all
-/// previous markers of the arena.
+/// The floor, its grid, image and patches, the terrain, fixed entities, and robots' bodies. Replaces all previous
+/// markers of the arena.
 visualization_msgs::MarkerArray arenaMarkers(const Space& space);
 
 /// The internal state of engines: collision shapes, contacts, joints and forces (EngineDrawing), a list for each engine

@@ -1,9 +1,9 @@
 /// The frames of a space, for tf: one batch a tick for moving frames, one for fixed frames.
 ///
-/// Every frame has one parent: `world` for an entity's base_link, the URDF's own parent for a robot's links. The parent
-/// of base_link is therefore its ground truth, and `odom`, the start of a robot's odometry, is a child of base_link.
-/// REP-105 has the two the other way round; tf inverts the transform. Its stamp is that of the state that was read, one
-/// tick before that of the poses.
+/// Every frame has one parent: `world` for an entity's base_link, the URDF's own parent for a robot's links. Since
+/// base_link has its ground truth, `world`, as its parent, the start of a robot's odometry, `odom`, is a child of
+/// base_link. REP-105 has the two the other way round; tf inverts the transform. The stamp of `odom` is that of the
+/// state that was read, one tick before that of the poses.
 #pragma once
 
 #include <tf2_msgs/TFMessage.h>

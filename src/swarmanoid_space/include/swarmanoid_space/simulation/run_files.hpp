@@ -15,9 +15,9 @@ struct RunFiles {
   std::string prefix;                 ///< of the options, for messages: "--", "~"
   std::string folder;                 ///< created if missing; "": the current one
   OutFolder::Rules rules;             ///< for files written in it
-  bool records_bag = false;           ///< loads the plugin that writes bags
-  bool records_trajectories = false;  ///< loads the plugin that writes trajectories
-  bool writes_frames = false;         ///< loads the plugin that writes frames
+  bool records_bag = false;           ///< a bag is recorded: loads the plugin for it
+  bool records_trajectories = false;  ///< trajectories are recorded: loads the plugin for them
+  bool writes_frames = false;         ///< frames are written: loads the plugin for them
   std::vector<std::string> reads;  ///< files that the run reads in addition to those of the experiment; "" is skipped
 };
 

@@ -15,7 +15,7 @@ namespace swarmanoid {
 struct RunEnd {
   bool finished = false;                    ///< reached its end; false: was stopped
   std::string message;                      ///< why it was stopped; "" if there is nothing to say
-  double wall_s = 0.0;                      ///< duration [s]
+  double wall_s = 0.0;                      ///< wall time of the run [s]
   std::optional<std::uint64_t> state_hash;  ///< of the last tick; nothing: computed from the simulation
 };
 

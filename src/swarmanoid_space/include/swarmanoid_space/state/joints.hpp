@@ -16,7 +16,7 @@ namespace swarmanoid {
 struct JointState {
   double angle = 0.0;  ///< [rad]
   double speed = 0.0;  ///< [rad/s]
-  /// Last torque of the motor and the stops, along positive angles; unused by engines without forces [N m].
+  /// Last torque of the motor and the stops, along positive angles; not set by engines without forces [N m].
   double effort = 0.0;
 };
 

@@ -31,8 +31,8 @@ inline void toMessage(const Lidar& lidar, sensor_msgs::LaserScan& message) {
 }
 
 /// The beams are stored in `parts` in order of increasing angle from -pi, whereas drivers may count from 0 to 2 pi, or
-/// downwards. Ranges outside the scan's limits are converted by REP-117; drivers send 0 for beams without a return. A
-/// received scan has the age 0 until the next scan, since messages do not contain it.
+/// downwards. Ranges outside the scan's limits are converted by REP-117, so the 0 that drivers send for beams without
+/// a return becomes -infinity. A received scan has the age 0 until the next scan, since messages do not contain it.
 inline void fromMessage(const sensor_msgs::LaserScan& message, Lidar& lidar, VariableParts& parts) {
   const std::size_t count = message.ranges.size();
   if (count > Lidar::kMostBeams) {
