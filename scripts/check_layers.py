@@ -9,7 +9,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MOST_LINES = 500
-NAMELESS = ("swarmanoid_interface", "swarmanoid_hosts", "swarmanoid_space", "swarmanoid_engines")  # outside folders `devices`
+NAMELESS = ("swarmanoid_interface", "swarmanoid_hosts", "swarmanoid_space", "swarmanoid_engines", "swarmanoid_experiment_files",
+            "swarmanoid_recording", "swarmanoid_ros")  # outside folders `devices`
 COMMENT = re.compile(r"//.*|/\*.*?\*/|\w+_sample_controller|sample_\w+_controller")  # names in experiment files of the thesis
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
@@ -21,6 +22,22 @@ def arrows():
     for line in re.findall(r"^    (swarmanoid_\w+) -> (.+)$", text, re.M):
         allowed[line[0]] = set(re.findall(r"swarmanoid_\w+", line[1]))
     return allowed
+
+
+def with_tests(allowed):
+    """The packages that tests and benchmarks of each package may include: also those that do not depend on it."""
+    def below(package):
+        found = set()
+        for other in allowed.get(package, ()):
+            found |= {other} | below(other)
+        return found
+    return {package: {other for other in allowed if package not in below(other)} for package in allowed}
+
+
+def names_above(allowed):
+    """For the space, a pattern that matches the names of packages that it may not know, and of libraries of their own."""
+    known = allowed["swarmanoid_space"] | {"swarmanoid_space"}
+    return re.compile(r"\b(" + "|".join(sorted(set(allowed) - known)) + r"|libxml\w*|hdf5|libpng|rosbag|roscpp|box2d|ode/ode)\b", re.I)
 
 
 def room_arrows():
@@ -63,8 +80,8 @@ def room_problem(path, name, rooms):
 
 
 def ros_allowed(path):
-    """Whether a file may use ROS: only files in a folder `ros`, nodelets and rostests may."""
-    return "ros" in path.parts or "rostest" in path.parts or "nodelet" in path.name
+    """Whether a file may use ROS: only those of swarmanoid_ros, files in a folder `ros`, nodelets and rostests may."""
+    return path.parts[1] == "swarmanoid_ros" or "ros" in path.parts or "rostest" in path.parts or "nodelet" in path.name
 
 
 def robot_names():
@@ -82,6 +99,8 @@ def may_name_robots(path):
 def main():
     robots = robot_names()
     allowed = arrows()
+    allowed_in_tests = with_tests(allowed)
+    above = names_above(allowed)
     rooms = room_arrows()
     problems = []
     for package, arrows_of in rooms.items():
@@ -94,6 +113,7 @@ def main():
             continue
         relative = path.relative_to(ROOT)
         package = relative.parts[1]
+        may = allowed if relative.parts[2] in ("src", "include") else allowed_in_tests
         lines = path.read_text().splitlines()
         if len(lines) > MOST_LINES:
             problems.append(f"{relative}: {len(lines)} lines, allowed: {MOST_LINES}")
@@ -101,6 +121,8 @@ def main():
             named = None if may_name_robots(relative) else robots.search(COMMENT.sub("", line))
             if named:
                 problems.append(f"{relative}:{number}: {package} must not name {named.group(0)}")
+            if package == "swarmanoid_space" and above.search(line):
+                problems.append(f"{relative}:{number}: the space must not know {above.search(line).group(0)}")
             found = INCLUDE.match(line)
             if not found:
                 continue
@@ -109,7 +131,7 @@ def main():
                 problem = room_problem(relative, found.group(1), rooms[package])
                 if problem:
                     problems.append(f"{relative}:{number}: {problem}")
-            if first.startswith("swarmanoid_") and first != package and first not in allowed.get(package, ()):
+            if first.startswith("swarmanoid_") and first != package and first not in may.get(package, ()):
                 problems.append(f"{relative}:{number}: {package} must not include {first}")
             if found.group(1) in ("ros/ros.h", "nodelet/nodelet.h") and not ros_allowed(relative):
                 problems.append(f"{relative}:{number}: {found.group(1)} belongs into a folder ros/ or a nodelet")

@@ -1,7 +1,7 @@
 // Path length of an entity: writes a line per tick to a file and a result of the run, and ends the run at a goal.
 #include <cstdio>
 
-#include "swarmanoid_space/output/out_file.hpp"
+#include "swarmanoid_recording/output/out_file.hpp"
 
 using swarmanoid::Configuration;
 using swarmanoid::Parameter;

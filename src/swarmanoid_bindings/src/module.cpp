@@ -10,8 +10,8 @@
 #include "robots.hpp"
 #include "rule_world.hpp"
 #include "simulation_class.hpp"
+#include "swarmanoid_experiment_files/experiment_lookup.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
-#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 #include "without_lock.hpp"
 
 PYBIND11_MODULE(_core, module) {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "swarmanoid_interface/plain_text.hpp"
-#include "swarmanoid_space/records/run_record.hpp"
+#include "swarmanoid_recording/records/run_record.hpp"
 
 namespace py = pybind11;
 

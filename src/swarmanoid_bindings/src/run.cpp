@@ -7,8 +7,9 @@
 #include "errors.hpp"
 #include "python_rule.hpp"
 #include "python_scripts.hpp"
+#include "swarmanoid_experiment_files/interventions/intervention_file.hpp"
 #include "swarmanoid_interface/configuration.hpp"
-#include "swarmanoid_space/interventions/intervention_file.hpp"
+#include "swarmanoid_space/intervention.hpp"
 #include "without_lock.hpp"
 
 namespace py = pybind11;

@@ -15,12 +15,13 @@
 #include "python_text.hpp"
 #include "record_of_run.hpp"
 #include "run.hpp"
+#include "swarmanoid_experiment_files/experiment_lookup.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_experiment_files/without_ros.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
-#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
+#include "swarmanoid_recording/output/run_files.hpp"
 #include "swarmanoid_space/models/limits.hpp"
-#include "swarmanoid_space/simulation/run_files.hpp"
 #include "swarmanoid_space/simulation/run_result.hpp"
-#include "swarmanoid_space/simulation/without_ros.hpp"
 #include "values.hpp"
 
 namespace py = pybind11;

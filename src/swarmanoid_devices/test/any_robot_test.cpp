@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/differential_drive.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/led_array.hpp"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 
 namespace swarmanoid::test {

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/holders.hpp"
 #include "swarmanoid_interface/devices/joints.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/actuator.hpp"
 #include "swarmanoid_space/sensor.hpp"

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/eyebot_distance.hpp"
 #include "swarmanoid_interface/devices/handbot_distance.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 

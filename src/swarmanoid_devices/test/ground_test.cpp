@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_proximity.hpp"
 #include "swarmanoid_interface/devices/handbot_vacuum.hpp"

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"

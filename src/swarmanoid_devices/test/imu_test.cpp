@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 
 namespace swarmanoid::test {

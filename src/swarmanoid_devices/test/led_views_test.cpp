@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/footbot_beacon.hpp"
 #include "swarmanoid_interface/devices/footbot_preferential_direction.hpp"

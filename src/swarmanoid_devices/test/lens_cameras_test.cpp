@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/eyebot_pan_tilt.hpp"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "swarmanoid_space/device_drawing.hpp"
 

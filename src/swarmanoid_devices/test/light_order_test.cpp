@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "../src/light_sources.hpp"
 #include "device_world.hpp"
-#include "light_sources.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 
 namespace swarmanoid::test {

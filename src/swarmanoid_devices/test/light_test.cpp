@@ -9,6 +9,7 @@
 
 #include "device_world.hpp"
 #include "sensors/ring_geometry.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 
 namespace swarmanoid::test {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"

@@ -1,4 +1,5 @@
 #include "swarmanoid_interface/devices/positioning.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 
 #include <gtest/gtest.h>
 

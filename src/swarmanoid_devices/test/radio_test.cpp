@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "../src/loss_law.hpp"
 #include "device_world.hpp"
-#include "loss_law.hpp"
 #include "swarmanoid_interface/devices/bluetooth.hpp"
 #include "swarmanoid_interface/devices/wifi.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "message_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/random.hpp"
 
 namespace swarmanoid::test {

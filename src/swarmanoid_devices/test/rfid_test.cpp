@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/rfid.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"

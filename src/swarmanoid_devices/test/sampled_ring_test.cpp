@@ -6,6 +6,8 @@
 #include <map>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
+#include "swarmanoid_experiment_files/samples/sampled_sensor.hpp"
 #include "swarmanoid_interface/devices/distance.hpp"
 #include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
@@ -15,7 +17,6 @@
 #include "swarmanoid_interface/devices/proximity.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
-#include "swarmanoid_space/samples/sampled_sensor.hpp"
 
 namespace swarmanoid::test {
 namespace {

@@ -1,5 +1,5 @@
 // Lines of sight, found with the outlines of nearby entities and few rays, equal one ray for each line.
-#include "sight_lines.hpp"
+#include "../src/sight_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
 #include "swarmanoid_space/state/joints.hpp"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/footbot_microphones.hpp"
 #include "swarmanoid_interface/devices/loudspeaker.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"

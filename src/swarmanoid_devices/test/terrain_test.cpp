@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"

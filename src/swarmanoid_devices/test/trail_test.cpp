@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 
 namespace swarmanoid::test {

@@ -1,5 +1,6 @@
 // The rules `state_times` and `energy_use`: reported states and consumption of robots.
 #include "measured_run.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 

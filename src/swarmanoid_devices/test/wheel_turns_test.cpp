@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "device_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/devices/odometry.hpp"
 #include "swarmanoid_interface/devices/wheel_encoders.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_experiment_files/testing/diffusion_experiment.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
-#include "swarmanoid_space/testing/diffusion_experiment.hpp"
 
 namespace swarmanoid::benchmarks {
 

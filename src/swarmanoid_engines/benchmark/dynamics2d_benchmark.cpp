@@ -7,6 +7,7 @@
 
 #include "diffusion_run.hpp"
 #include "raw_box2d.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 
 namespace swarmanoid::benchmarks {
 namespace {

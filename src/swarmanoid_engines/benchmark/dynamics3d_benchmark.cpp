@@ -10,6 +10,7 @@
 
 #include "diffusion_run.hpp"
 #include "raw_ode.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 
 namespace swarmanoid::benchmarks {
 namespace {

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::kinematics2d {

@@ -4,6 +4,7 @@
 
 #include "dynamics2d/world.hpp"
 #include "dynamics3d/world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid {

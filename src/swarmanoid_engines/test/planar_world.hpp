@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "carry_out.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {

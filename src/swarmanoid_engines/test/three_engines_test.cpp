@@ -10,6 +10,7 @@
 #include "dynamics3d/world.hpp"
 #include "kinematics2d/kinematics2d.hpp"
 #include "planar_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "turned_frame.hpp"
 
 namespace swarmanoid {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid {

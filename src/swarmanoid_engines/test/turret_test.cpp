@@ -1,4 +1,5 @@
 // Turrets without forces: they turn as commanded, with the gripped body, and never into an obstacle.
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 
 #include <gtest/gtest.h>

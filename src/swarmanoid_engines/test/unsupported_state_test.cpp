@@ -4,6 +4,7 @@
 #include "dynamics2d/dynamics2d.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "kinematics2d/kinematics2d.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -7,9 +7,10 @@
 // painted before each tick.
 #include <benchmark/benchmark.h>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_experiment_files/testing/diffusion_experiment.hpp"
 #include "swarmanoid_space/rule.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
-#include "swarmanoid_space/testing/diffusion_experiment.hpp"
 
 namespace swarmanoid {
 namespace {

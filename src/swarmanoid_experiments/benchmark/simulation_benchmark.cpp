@@ -14,10 +14,11 @@
 #include <string>
 
 #include "bare_diffusion.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_experiment_files/testing/diffusion_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/range_and_bearing.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
-#include "swarmanoid_space/testing/diffusion_experiment.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -82,7 +82,7 @@ class ConformanceMockTest(unittest.TestCase):
                 for topic, collector in self.frames.items():
                     for message in collector.messages():
                         bag.write(topic, message)
-            done = subprocess.run(["rosrun", "swarmanoid_hosts", "replay", file], capture_output=True, text=True)
+            done = subprocess.run(["rosrun", "swarmanoid_recording", "replay", file], capture_output=True, text=True)
         print(done.stdout, done.stderr)
         self.assertEqual(0, done.returncode)
         for robot in ROBOTS:

@@ -26,7 +26,7 @@ class ForeignManagerTest(unittest.TestCase):
         log = Collector("/rosout", Log)
         log.wait_for_publisher(count=2)  # this process and the manager
         rospy.set_param("/space", {"experiment": "diffusion", "max_ticks": "3", "real_time_factor": 0.0, "on_end": "stay"})
-        self.assertTrue(load("/space", "swarmanoid_space/SpaceNodelet"))
+        self.assertTrue(load("/space", "swarmanoid_ros/SpaceNodelet"))
         end = log.wait_for(lambda line: "diffusion, seed 1: finished after 3 ticks" in line.msg)
         warnings = [line.msg for line in log.messages() if "calculates with" in line.msg]
         if can_fuse():

@@ -102,7 +102,7 @@ class InterfaceTest(unittest.TestCase):
             self.assertIn(f"lib{controller}_nodelet.so", loaded)
 
     def test_parameters_are_those_of_the_page(self):
-        source = (REPOSITORY / "src/swarmanoid_space/src/nodelet/space_options.cpp").read_text()
+        source = (REPOSITORY / "src/swarmanoid_ros/src/space/space_options.cpp").read_text()
         read = re.findall(r'reader\.\w+\("([a-z_/]+)"', source)
         self.assertEqual(sorted(set(read)), sorted(re.findall(r"^\| `([a-z_/]+)` \|", section("Parameters of the space"), re.M)))
 

@@ -41,7 +41,7 @@ class ReplayTest(unittest.TestCase):
         ended = self.space.step(10**6)
         self.assertEqual("the run finished before all of them were made", ended.message)
 
-        replay = subprocess.run(["rosrun", "swarmanoid_hosts", "replay", BAG], stdout=subprocess.PIPE,
+        replay = subprocess.run(["rosrun", "swarmanoid_recording", "replay", BAG], stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, universal_newlines=True, check=False)
         self.assertEqual("", replay.stderr)
         starts = {robot: [f"start 1 (run 0): all 30", f"start 2 (run 1): all {ended.tick}"] for robot in CONTROLLERS}

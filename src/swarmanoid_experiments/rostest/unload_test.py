@@ -20,15 +20,15 @@ class UnloadTest(unittest.TestCase):
         return [topic for topic, _ in published if topic.startswith("/fb_1/")]
 
     def test_1_a_part_without_a_space_does_not_load(self):
-        self.assertFalse(load("/lonely", "swarmanoid_engines/EngineNodelet"))
+        self.assertFalse(load("/lonely", "swarmanoid_ros/EngineNodelet"))
         self.assertFalse(load("/lonely", "swarmanoid_controllers/diffusion"))
 
     def test_2_a_space_with_a_bad_parameter_does_not_load(self):
         rospy.set_param("/second/experiment", "object_retrieval")
         rospy.set_param("/second/sed", 3)
-        self.assertFalse(load("/second", "swarmanoid_space/SpaceNodelet"))
+        self.assertFalse(load("/second", "swarmanoid_ros/SpaceNodelet"))
         rospy.set_param("/third/experiment", "object_retrievl")
-        self.assertFalse(load("/third", "swarmanoid_space/SpaceNodelet"))
+        self.assertFalse(load("/third", "swarmanoid_ros/SpaceNodelet"))
 
     def test_3_the_run_does_not_depend_on_who_looks_at_it(self):
         space = Space()
@@ -54,7 +54,7 @@ class UnloadTest(unittest.TestCase):
 
     def test_5_a_space_can_be_unloaded_and_loaded_again(self):
         self.assertTrue(unload("/space"))
-        self.assertTrue(load("/space", "swarmanoid_space/SpaceNodelet"))
+        self.assertTrue(load("/space", "swarmanoid_ros/SpaceNodelet"))
         self.assertTrue(Space().step(2).success)
 
 

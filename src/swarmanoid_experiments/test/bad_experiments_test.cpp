@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bad_cases.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {

@@ -3,6 +3,7 @@
 // their limit of 10.3448 rad/s.
 #include <gtest/gtest.h>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/leds.hpp"
 #include "test_world.hpp"

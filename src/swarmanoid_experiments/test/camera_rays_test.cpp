@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/sensor.hpp"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "test_world.hpp"

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "handover_world.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_distance.hpp"

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "miswired_robot.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/devices/differential_drive.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"

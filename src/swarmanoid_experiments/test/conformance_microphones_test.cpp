@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "miswired_robot.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/devices/differential_drive.hpp"
 #include "swarmanoid_interface/devices/microphones.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "miswired_robot.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/span.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"

@@ -1,6 +1,7 @@
 // Drawing the devices of a run does not change the run, bit for bit.
 #include <gtest/gtest.h>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "swarmanoid_space/device_drawing.hpp"

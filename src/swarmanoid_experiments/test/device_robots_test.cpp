@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 
 namespace swarmanoid {
 namespace {

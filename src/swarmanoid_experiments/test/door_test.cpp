@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "glide_engine.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "test_world.hpp"
 

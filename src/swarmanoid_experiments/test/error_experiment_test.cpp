@@ -1,6 +1,7 @@
 // <error> in whole experiments: from the file to the readings of controllers and the motion of robots.
 #include <gtest/gtest.h>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"

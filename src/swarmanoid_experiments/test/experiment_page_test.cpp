@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/error_models/error_model.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"

@@ -3,8 +3,8 @@
 
 #include "faulty_run.hpp"
 #include "lockstep_world.hpp"
+#include "swarmanoid_experiment_files/interventions/intervention_file.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
-#include "swarmanoid_space/interventions/intervention_file.hpp"
 
 namespace swarmanoid::test {
 namespace {

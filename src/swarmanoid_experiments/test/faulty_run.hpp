@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "test_world.hpp"
 

@@ -1,6 +1,8 @@
 // Batteries of eyebots: power of flight, landing with an empty battery, and charging under the ceiling.
 #include <gtest/gtest.h>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"

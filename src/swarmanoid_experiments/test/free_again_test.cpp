@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "test_world.hpp"
 
 namespace swarmanoid::test {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "installed_experiment.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_space/intervention.hpp"
 
 namespace swarmanoid::test {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "handover_world.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 

@@ -7,8 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "swarmanoid_experiment_files/override_text.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/experiment_file/override_text.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {

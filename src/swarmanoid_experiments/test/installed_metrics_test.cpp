@@ -5,6 +5,7 @@
 #include <set>
 
 #include "installed_experiment.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 
 namespace swarmanoid::test {
 namespace {

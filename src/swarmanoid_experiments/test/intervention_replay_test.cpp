@@ -4,9 +4,9 @@
 #include "lockstep_world.hpp"
 #include "random_interventions.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
-#include "swarmanoid_space/output/out_folder.hpp"
+#include "swarmanoid_recording/output/out_folder.hpp"
+#include "swarmanoid_recording/output/run_files.hpp"
 #include "swarmanoid_space/rule.hpp"
-#include "swarmanoid_space/simulation/run_files.hpp"
 
 namespace swarmanoid::test {
 namespace {

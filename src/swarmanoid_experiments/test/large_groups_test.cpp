@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "test_world.hpp"
 
 namespace swarmanoid::test {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "test_world.hpp"
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "swarmanoid_experiment_files/experiment_tags.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
@@ -14,7 +16,6 @@
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/experiment_file/experiment_tags.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_hosts/controller_host.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/lockstep/lockstep.hpp"

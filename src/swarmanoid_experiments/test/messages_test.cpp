@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lockstep_world.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/range_and_bearing.hpp"

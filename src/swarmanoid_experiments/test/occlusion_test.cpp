@@ -2,6 +2,7 @@
 // neither.
 #include <gtest/gtest.h>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {

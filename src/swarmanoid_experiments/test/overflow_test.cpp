@@ -2,6 +2,7 @@
 // number of threads.
 #include <gtest/gtest.h>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "test_world.hpp"
 

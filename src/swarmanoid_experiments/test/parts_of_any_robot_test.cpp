@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "test_world.hpp"
 

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_experiment_files/realism.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/eyebot_pressure.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
-#include "swarmanoid_space/experiment_file/realism.hpp"
-#include "swarmanoid_space/records/run_record.hpp"
+#include "swarmanoid_recording/records/run_record.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 #include "test_world.hpp"
 
 namespace swarmanoid::test {

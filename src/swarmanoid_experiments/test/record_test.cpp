@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "random_interventions.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
-#include "swarmanoid_space/records/record_folder.hpp"
-#include "swarmanoid_space/records/recorded_run.hpp"
+#include "swarmanoid_recording/output/run_files.hpp"
+#include "swarmanoid_recording/records/record_folder.hpp"
+#include "swarmanoid_recording/records/recorded_run.hpp"
 #include "swarmanoid_space/rule.hpp"
-#include "swarmanoid_space/simulation/run_files.hpp"
 
 namespace swarmanoid::test {
 namespace {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "test_world.hpp"
 

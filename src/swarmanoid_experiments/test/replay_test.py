@@ -15,7 +15,7 @@ ROBOTS = ("eb", "fb_1", "fb_2", "fb_3")
 
 def replay_program():
     return shutil.which("catkin_find") and subprocess.run(
-        ["catkin_find", "--first-only", "--libexec", "swarmanoid_hosts", "replay"],
+        ["catkin_find", "--first-only", "--libexec", "swarmanoid_recording", "replay"],
         stdout=subprocess.PIPE, universal_newlines=True, check=True).stdout.strip()
 
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/rule.hpp"
 

@@ -7,10 +7,11 @@
 #include <memory>
 
 #include "../src/program/sample_world.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_experiment_files/samples/sample_table.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
-#include "swarmanoid_space/records/run_record.hpp"
-#include "swarmanoid_space/samples/sample_table.hpp"
+#include "swarmanoid_recording/records/run_record.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {

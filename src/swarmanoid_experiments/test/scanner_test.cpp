@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/eyebot_distance.hpp"
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"

@@ -6,12 +6,13 @@
 #include <fstream>
 
 #include "bad_cases.hpp"
+#include "swarmanoid_experiment_files/experiment_schema.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/error_models/error_model.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
-#include "swarmanoid_space/experiment_file/experiment_schema.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 
 namespace swarmanoid {
 namespace {

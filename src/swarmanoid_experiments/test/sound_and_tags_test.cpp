@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_microphones.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 #include "swarmanoid_space/rule.hpp"

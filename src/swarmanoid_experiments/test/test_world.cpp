@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"

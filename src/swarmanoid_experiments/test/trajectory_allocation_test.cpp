@@ -9,9 +9,10 @@
 #include <filesystem>
 #include <new>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
-#include "swarmanoid_space/simulation/run_files.hpp"
+#include "swarmanoid_recording/output/run_files.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace {

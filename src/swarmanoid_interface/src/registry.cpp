@@ -9,6 +9,38 @@
 
 namespace swarmanoid {
 
+void checkValue(const Parameter& parameter, const std::string& text, const SourceLocation& location) {
+  switch (parameter.type) {
+    case Parameter::Type::kNumber:
+    case Parameter::Type::kAngle:
+      parseNumber(text, parameter.name, location, parameter.range);
+      break;
+    case Parameter::Type::kInteger:
+      parseInteger(text, parameter.name, location, parameter.range);
+      break;
+    case Parameter::Type::kBoolean:
+      parseBoolean(text, parameter.name, location);
+      break;
+    case Parameter::Type::kVector2:
+      parseNumbers(text, 2, parameter.name, location, parameter.range);
+      break;
+    case Parameter::Type::kVector3:
+    case Parameter::Type::kAngles3:
+      parseNumbers(text, 3, parameter.name, location, parameter.range);
+      break;
+    case Parameter::Type::kColor:
+      parseColorOrThrow(text, parameter.name, location);
+      break;
+    case Parameter::Type::kChoice:
+      if (!contains(parameter.choices, text)) {
+        throw ConfigError(location, parameter.name + ": " + unknownName("the value", text, parameter.choices));
+      }
+      break;
+    case Parameter::Type::kText:
+      break;
+  }
+}
+
 const char* toString(PluginKind kind) {
   switch (kind) {
     case PluginKind::kController:

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_recording/output/out_folder.hpp"
 #include "swarmanoid_space/observer.hpp"
-#include "swarmanoid_space/output/out_folder.hpp"
 
 namespace swarmanoid {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 
 namespace swarmanoid {
 namespace {

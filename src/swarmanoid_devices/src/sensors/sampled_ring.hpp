@@ -21,8 +21,8 @@
 #include <utility>
 
 #include "ring_geometry.hpp"
-#include "swarmanoid_space/samples/sample_table.hpp"
-#include "swarmanoid_space/samples/sampled_sensor.hpp"
+#include "swarmanoid_experiment_files/samples/sample_table.hpp"
+#include "swarmanoid_experiment_files/samples/sampled_sensor.hpp"
 
 namespace swarmanoid::devices {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../exact_overlap.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics2d {

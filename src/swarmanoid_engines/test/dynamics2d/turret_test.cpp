@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../turret_models.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "world.hpp"
 

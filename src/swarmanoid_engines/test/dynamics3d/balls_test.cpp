@@ -5,6 +5,7 @@
 
 #include "dynamics3d/balls.hpp"
 #include "dynamics3d/solids.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {

@@ -1,6 +1,7 @@
 // Eyebots that hover by thrust and drag.
 #include <gtest/gtest.h>
 
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {

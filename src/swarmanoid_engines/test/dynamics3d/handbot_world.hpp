@@ -1,6 +1,7 @@
 /// A world with a handbot under a ceiling.
 #pragma once
 
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {

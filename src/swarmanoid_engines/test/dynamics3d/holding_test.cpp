@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "handbot_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics3d/convex_overlap.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
 #include "world.hpp"
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "slope.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "handbot_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

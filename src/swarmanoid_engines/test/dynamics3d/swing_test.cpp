@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "handbot_world.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {

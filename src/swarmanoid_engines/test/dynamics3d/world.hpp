@@ -10,6 +10,7 @@
 
 #include "../carry_out.hpp"
 #include "dynamics3d/dynamics3d.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 
 namespace swarmanoid::dynamics3d {
 

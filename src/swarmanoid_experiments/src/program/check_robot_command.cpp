@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "installed_plugins.hpp"
 #include "standard_output.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/plain_text.hpp"

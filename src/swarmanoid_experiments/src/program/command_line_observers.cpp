@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "swarmanoid_space/simulation/run_files.hpp"
+#include "swarmanoid_recording/output/run_files.hpp"
 
 namespace swarmanoid::program {
 

@@ -1,6 +1,6 @@
 // `swarmanoid diff`. Another program reads the bags with ROS's library.
 #include "commands.hpp"
-#include "hosts_program.hpp"
+#include "recording_program.hpp"
 
 namespace swarmanoid::program {
 
@@ -8,7 +8,7 @@ Command addDiffCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("diff", "say in which tick and fields two recorded runs differ");
   command->prefix_command();
   command->set_help_flag();
-  return [command]() -> ExitCode { becomeHostsProgram("diff", command->remaining()); };
+  return [command]() -> ExitCode { becomeRecordingProgram("diff", command->remaining()); };
 }
 
 }  // namespace swarmanoid::program

@@ -3,8 +3,9 @@
 #include <charconv>
 #include <iostream>
 
-#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
-#include "swarmanoid_space/experiment_file/override_text.hpp"
+#include "swarmanoid_experiment_files/experiment_lookup.hpp"
+#include "swarmanoid_experiment_files/override_text.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid::program {

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/experiment_file/unchecked_experiment.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_experiment_files/unchecked_experiment.hpp"
 
 namespace swarmanoid::program {
 

@@ -15,9 +15,9 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "swarmanoid_experiment_files/experiment_lookup.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
-#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 
 namespace swarmanoid::program {
 namespace {

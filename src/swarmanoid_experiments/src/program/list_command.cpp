@@ -5,16 +5,16 @@
 #include "installed_plugins.hpp"
 #include "parameter_text.hpp"
 #include "standard_output.hpp"
+#include "swarmanoid_experiment_files/experiment_lookup.hpp"
+#include "swarmanoid_experiment_files/experiment_tags.hpp"
+#include "swarmanoid_experiment_files/realism.hpp"
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/error_models/error_model.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
-#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
-#include "swarmanoid_space/experiment_file/experiment_tags.hpp"
-#include "swarmanoid_space/experiment_file/realism.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 
 namespace swarmanoid::program {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "commands.hpp"
 #include "external_command.hpp"
-#include "hosts_program.hpp"
+#include "recording_program.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/process/last_seconds.hpp"
@@ -75,7 +75,7 @@ ExitCode callSafely(int argc, char** argv) {
       throw ConfigError({"standard output", 0}, "found it closed, allowed: a file, a pipe or /dev/null");
     }
     return call(argc, argv);
-  } catch (const HostsProgramFailed& failed) {
+  } catch (const RecordingProgramFailed& failed) {
     return failed.code;
   } catch (const ConfigError& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';

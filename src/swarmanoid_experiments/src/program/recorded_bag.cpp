@@ -4,9 +4,9 @@
 #include <fstream>
 #include <vector>
 
-#include "hosts_program.hpp"
+#include "recording_program.hpp"
 #include "swarmanoid_interface/configuration.hpp"
-#include "swarmanoid_space/records/run_record.hpp"
+#include "swarmanoid_recording/records/run_record.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -21,7 +21,7 @@ RecordPlace unpack(const std::string& bag, std::vector<std::string> options) {
   place.folder = place.owner->path().string();
   // a name that starts with a dash must not look like an option
   options.insert(options.begin(), {bag.rfind('-', 0) == 0 ? "./" + bag : bag, place.folder});
-  callHostsProgram("unpack", options);
+  callRecordingProgram("unpack", options);
   place.files = {bag};
   return place;
 }

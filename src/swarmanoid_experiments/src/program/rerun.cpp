@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "swarmanoid_experiment_files/override_text.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_space/experiment_file/override_text.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid::program {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "swarmanoid_space/records/recorded_run.hpp"
+#include "swarmanoid_recording/records/recorded_run.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::program {

@@ -11,8 +11,9 @@
 #include "rerun.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/process/user_code_watch.hpp"
-#include "swarmanoid_space/simulation/run_files.hpp"
+#include "swarmanoid_recording/output/run_files.hpp"
 #include "swarmanoid_space/suite_version.hpp"
 
 namespace swarmanoid::program {
@@ -199,8 +200,8 @@ ExitCode rerun(const RerunOptions& options) {
   context.is_fork = fork.seed.has_value();
   experiment.overrides = run.record.overrides;  // already applied in its text; given here for the tables that it writes
   Simulation simulation(std::move(experiment), context);
-  simulation.play(InterventionPlayer(withoutThoseOfRules(std::move(interventions), simulation.experiment()),
-                                     AskedByRules::kPlayed));
+  simulation.play(InterventionPlayer(
+      withoutThoseOfRules(std::move(interventions), simulation.experiment()).interventions, AskedByRules::kPlayed));
   addRecorders(simulation, context, options);
   context.out->keep();
   simulation.setLogSink([](LogLevel level, const std::string& robot, const std::string& text) {

@@ -12,11 +12,12 @@
 #include "recorded_bag.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
+#include "swarmanoid_experiment_files/interventions/read_player.hpp"
+#include "swarmanoid_experiment_files/without_ros.hpp"
 #include "swarmanoid_interface/process/user_code_watch.hpp"
-#include "swarmanoid_space/records/record_folder.hpp"
-#include "swarmanoid_space/simulation/run_files.hpp"
+#include "swarmanoid_recording/output/run_files.hpp"
+#include "swarmanoid_recording/records/record_folder.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
-#include "swarmanoid_space/simulation/without_ros.hpp"
 #include "swarmanoid_space/suite_version.hpp"
 
 namespace swarmanoid::program {

@@ -9,11 +9,11 @@
 #include "commands.hpp"
 #include "installed_plugins.hpp"
 #include "sample_world.hpp"
+#include "swarmanoid_experiment_files/override_text.hpp"
+#include "swarmanoid_experiment_files/samples/sample_table.hpp"
 #include "swarmanoid_interface/device_type.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
-#include "swarmanoid_space/experiment_file/override_text.hpp"
-#include "swarmanoid_space/output/out_folder.hpp"
-#include "swarmanoid_space/samples/sample_table.hpp"
+#include "swarmanoid_recording/output/out_folder.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 
 namespace swarmanoid::program {
 namespace {

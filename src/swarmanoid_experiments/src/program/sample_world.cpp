@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/expects.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "swarmanoid_space/samples/sampled_sensor.hpp"
+#include "swarmanoid_experiment_files/samples/sampled_sensor.hpp"
 #include "swarmanoid_space/sensor.hpp"
 #include "swarmanoid_space/space.hpp"
 

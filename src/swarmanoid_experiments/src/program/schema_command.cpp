@@ -4,8 +4,9 @@
 #include "commands.hpp"
 #include "installed_plugins.hpp"
 #include "standard_output.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
-#include "swarmanoid_space/experiment_file/experiment_schema.hpp"
+#include "swarmanoid_experiment_files/experiment_schema.hpp"
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 
 namespace swarmanoid::program {
 

@@ -7,10 +7,10 @@
 #include "experiment_options.hpp"
 #include "parent_process.hpp"
 #include "standard_output.hpp"
+#include "swarmanoid_experiment_files/experiment_lookup.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/process/user_code_watch.hpp"
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::program {

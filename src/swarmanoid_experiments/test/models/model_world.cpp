@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/controller.hpp"
 
 namespace swarmanoid::test {

@@ -7,9 +7,11 @@
 #include <set>
 #include <string>
 
+#include "swarmanoid_experiment_files/read_experiment.hpp"
+#include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid::test {

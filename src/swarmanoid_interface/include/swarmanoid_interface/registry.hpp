@@ -55,6 +55,9 @@ struct Parameter {
   bool is_live = false;  ///< for engines: the value may change while an experiment runs
 };
 
+/// Checks one value against its parameter. @throws ConfigError
+void checkValue(const Parameter& parameter, const std::string& text, const SourceLocation& location);
+
 /// A short way to write a parameter in a table. @param value the default; without one the parameter must be given
 inline Parameter makeParameter(std::string name, Parameter::Type type, std::string unit,
                                std::optional<std::string> value, Range range, std::string description) {

@@ -3,9 +3,9 @@
 #include <tf2/buffer_core.h>
 
 #include "marker_geometry.hpp"
-#include "swarmanoid_space/ros/markers.hpp"
-#include "swarmanoid_space/ros/transforms.hpp"
-#include "swarmanoid_space/ros/world_state.hpp"
+#include "swarmanoid_recording/messages/markers.hpp"
+#include "swarmanoid_recording/messages/transforms.hpp"
+#include "swarmanoid_recording/messages/world_state.hpp"
 
 namespace swarmanoid {
 

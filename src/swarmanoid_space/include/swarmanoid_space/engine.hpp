@@ -33,7 +33,7 @@
 #include "swarmanoid_interface/span.hpp"
 #include "swarmanoid_interface/time.hpp"
 #include "swarmanoid_space/engine_drawing.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 #include "swarmanoid_space/rays/obstacles.hpp"
 #include "swarmanoid_space/rays/ray.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"

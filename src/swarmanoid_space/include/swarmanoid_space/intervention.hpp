@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "swarmanoid_space/error_models/error_model_description.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 #include "swarmanoid_space/state/entities.hpp"
 #include "swarmanoid_space/state/paint_layer.hpp"
 
@@ -26,18 +26,21 @@ using NamedValues = std::vector<std::pair<std::string, std::string>>;
 /// Adds an entity to the named engines; the first of them moves it. Refused: an invalid pose, an overlap, an unknown
 /// name, a controller for another type of robot.
 struct SpawnEntity {
+  static constexpr const char* kKind = "spawn";
   EntityDescription entity;
   std::vector<std::string> engines;  ///< by id; empty: the entity is only visible
 };
 
 /// Removes an entity from the world. Refused: an unknown name.
 struct DeleteEntity {
+  static constexpr const char* kKind = "delete";
   std::string entity;
 };
 
 /// Moves an entity to another pose, at rest; all its grips and attachments, and those of others on it, are released.
 /// Refused: an unknown name, an invalid pose, an overlap.
 struct MoveEntity {
+  static constexpr const char* kKind = "move";
   std::string entity;
   Pose pose;
 };
@@ -47,6 +50,7 @@ struct MoveEntity {
 /// lists the entity there. Nothing happens if the new engine moves the entity already. Refused: an unknown name; an
 /// entity that is fixed, misplaced, in the way of something else, or not supported by the engine.
 struct HandOverEntity {
+  static constexpr const char* kKind = "handover";
   std::string entity;
   std::string engine;
 };
@@ -54,6 +58,7 @@ struct HandOverEntity {
 /// Sets parameters of an engine. They act from the next tick on. A value equal to the current one changes nothing.
 /// Refused: an unknown engine or parameter, one that is not live, an invalid value.
 struct SetEngineParameters {
+  static constexpr const char* kKind = "engine_parameters";
   std::string engine;
   NamedValues values;
 };
@@ -64,6 +69,7 @@ struct SetEngineParameters {
 /// source once the battery holds enough. Refused: an unknown robot, a controller that does not start, a device that
 /// cannot be transmitted.
 struct SetCommandSource {
+  static constexpr const char* kKind = "command_source";
   std::string robot;
   CommandSource source = CommandSource::kController;
 };
@@ -74,6 +80,7 @@ constexpr const char* kColorProperty = "color";
 /// Sets a property of an entity (EntityModel::properties); the value is written as in the experiment file. Nothing
 /// happens if the property has this value. Refused: an unknown entity or property, an invalid value.
 struct SetProperty {
+  static constexpr const char* kKind = "property";
   std::string entity;
   std::string property;
   std::string value;
@@ -83,6 +90,7 @@ struct SetProperty {
 /// without <floor_paint>, a centre outside the arena, a radius or strength out of bounds, an empty list, and discs with
 /// more than kMostCells cells in the squares around them. The simulation waits until all discs are painted.
 struct PaintFloor {
+  static constexpr const char* kKind = "paint";
   static constexpr Range kRadius{0.0, 10000.0};  ///< [m]
   static constexpr Range kStrength{0.001, 1.0};
   static constexpr std::size_t kMostCells = PaintLayer::kMostCells;  ///< one disc may cover the largest floor
@@ -99,6 +107,7 @@ struct PaintFloor {
 /// faults already. Refused: an entity that is not a robot with a controller, a device that it does not have, and
 /// everything that the experiment file refuses of an <error>.
 struct SetFault {
+  static constexpr const char* kKind = "fault";
   std::string robot;
   std::string device;                         ///< its type, "footbot_proximity"
   std::vector<ErrorModelDescription> errors;  ///< in the order in which they act; empty: the device is repaired
@@ -106,6 +115,12 @@ struct SetFault {
 
 using Intervention = std::variant<SpawnEntity, DeleteEntity, MoveEntity, HandOverEntity, SetEngineParameters,
                                   SetCommandSource, SetProperty, PaintFloor, SetFault>;
+
+/// The name of its kind: "spawn", "delete", "move", "handover", "engine_parameters", "command_source", "property",
+/// "paint", "fault".
+inline const char* kindOf(const Intervention& intervention) {
+  return std::visit([](const auto& what) { return what.kKind; }, intervention);
+}
 
 /// An intervention that has been carried out.
 struct TakenIntervention {
@@ -115,6 +130,12 @@ struct TakenIntervention {
   /// Whether the rules' beforeTick of that tick had been called. The tick had then begun, waited for another process,
   /// and was given up for this intervention.
   bool after_rules = false;
+};
+
+/// An intervention of an earlier run, to be carried out again.
+struct RecordedIntervention {
+  TakenIntervention taken;
+  SourceLocation location;  ///< in the file that it comes from
 };
 
 }  // namespace swarmanoid

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 #include "swarmanoid_space/group_controller.hpp"
 #include "swarmanoid_space/rule.hpp"
 

@@ -18,7 +18,7 @@
 #include "swarmanoid_interface/robot.hpp"
 #include "swarmanoid_interface/time.hpp"
 #include "swarmanoid_space/engine.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 #include "swarmanoid_space/index/positional_index.hpp"
 #include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/metrics.hpp"

@@ -1,7 +1,7 @@
-#include "../experiment_file/entity_validation.hpp"
 #include "../world/entities.hpp"
 #include "carry_out.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_space/experiment/entity_validation.hpp"
 
 namespace swarmanoid {
 

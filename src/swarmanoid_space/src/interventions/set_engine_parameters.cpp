@@ -1,7 +1,8 @@
 // Changes parameters of engines during a run.
-#include "../experiment_file/parameter_table.hpp"
 #include "../world/engines.hpp"
 #include "carry_out.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
+#include "swarmanoid_interface/registry.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -61,7 +62,7 @@ bool carryOut(World& world, const SetEngineParameters& intervention) {
   std::vector<Event> events;
   for (const auto& [name, value] : intervention.values) {
     const Parameter& parameter = requireLive(description, name);
-    experiment::checkValue(parameter, value, {});
+    checkValue(parameter, value, {});
     const std::string old = parameters.text(name, parameter.value.value_or(""));
     if (!areSame(parameter, old, value)) {
       parameters = with(parameters, name, value);

@@ -1,9 +1,10 @@
 // Sets and repairs faults of a robot's device.
 #include <utility>
 
-#include "../experiment_file/reader.hpp"
 #include "carry_out.hpp"
-#include "fault_form.hpp"
+#include "describe_faults.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
+#include "swarmanoid_space/error_models/complete_error.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -31,7 +32,7 @@ Device* findDevice(const std::vector<Named<Device>>& devices, const std::string&
 
 std::vector<ErrorModelDescription> completed(std::vector<ErrorModelDescription> errors) {
   for (ErrorModelDescription& error : errors) {
-    experiment::completeError(error);
+    completeError(error);
   }
   return errors;
 }

@@ -1,7 +1,7 @@
-#include "../experiment_file/entity_validation.hpp"
 #include "../world/entities.hpp"
 #include "../world/offers.hpp"
 #include "carry_out.hpp"
+#include "swarmanoid_space/experiment/entity_validation.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid {

@@ -13,7 +13,7 @@
 #include "../world/scripts.hpp"
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
-#include "swarmanoid_space/interventions/intervention_file.hpp"
+#include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "../experiment_file/entity_validation.hpp"
 #include "configure.hpp"
 #include "distribute.hpp"
 #include "entities.hpp"
@@ -13,6 +12,7 @@
 #include "scripts.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_space/experiment/entity_validation.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid {

@@ -3,7 +3,7 @@
 
 #include "../assembly/named_plugin.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 
 namespace swarmanoid {
 

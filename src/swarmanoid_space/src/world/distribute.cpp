@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../experiment_file/entity_validation.hpp"
 #include "curve_place.hpp"
 #include "entities.hpp"
+#include "swarmanoid_space/experiment/entity_validation.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "swarmanoid_interface/color.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 #include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/state/entities.hpp"
 

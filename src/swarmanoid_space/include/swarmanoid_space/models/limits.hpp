@@ -61,6 +61,8 @@ constexpr std::size_t kLongestText = std::size_t{1} << 28U;
 
 /// Ticks of a run in files, options and parameters. They are transported as double, which represents all of them.
 constexpr Range kTicks{1.0, 1e15};
+/// The number of a tick; 0: before the first.
+constexpr Range kTick{0.0, kTicks.maximum};
 /// Seeds in files and parameters, for the same reason. `--seed` takes any number of 64 bits.
 constexpr Range kSeed{0.0, 9e15};
 /// Threads of a run.

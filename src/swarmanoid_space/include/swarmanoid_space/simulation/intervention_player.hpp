@@ -8,11 +8,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <string>
 #include <vector>
 
-#include "swarmanoid_space/interventions/intervention_file.hpp"
+#include "swarmanoid_space/intervention.hpp"
 
 namespace swarmanoid {
 
@@ -23,7 +21,7 @@ class InterventionPlayer {
  public:
   /// A player without interventions.
   InterventionPlayer() = default;
-  InterventionPlayer(InterventionFile file, AskedByRules asked_by_rules);
+  InterventionPlayer(std::vector<RecordedIntervention> interventions, AskedByRules asked_by_rules);
 
   /// Takes the next intervention if it is due. Does not allocate.
   /// @param tick, after_rules of the run, as in TakenIntervention
@@ -37,15 +35,5 @@ class InterventionPlayer {
   std::vector<RecordedIntervention> interventions_;
   std::size_t next_ = 0;
 };
-
-/// The player of a file for runs of the experiment. @param file "": none is played @param name of the file in messages
-/// @param warn receives each warning of playingWarnings @throws ConfigError as readInterventions
-InterventionPlayer readPlayer(const std::string& file, const std::string& name, AskedByRules asked_by_rules,
-                              const Experiment& experiment, const std::function<void(const std::string&)>& warn);
-
-/// Warnings about playing the file into a run of the experiment, in sentences: another experiment or seed, ticks that
-/// do not occur, rules that are missing, or that will request interventions a second time.
-std::vector<std::string> playingWarnings(const InterventionFile& file, AskedByRules asked_by_rules,
-                                         const Experiment& experiment);
 
 }  // namespace swarmanoid

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment/experiment.hpp"
 #include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/observer.hpp"
 #include "swarmanoid_space/simulation/intervention_player.hpp"

@@ -1,0 +1,41 @@
+#include "swarmanoid_recording/output/run_files.hpp"
+
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid {
+
+std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment& experiment) {
+  if (files.records_bag) {
+    loadPluginLibrary("swarmanoid_recording", {}, {});
+  }
+  if (files.records_trajectories) {
+    loadPluginLibrary("swarmanoid_trajectories", {}, {});
+  }
+  if (files.writes_frames) {
+    loadPluginLibrary("swarmanoid_rendering", {}, {});
+  }
+  auto out = std::make_shared<OutFolder>(files.folder, files.prefix, files.rules);
+  for (const std::string& file : experiment.files) {
+    out->protect(file);
+  }
+  for (const std::string& file : files.reads) {
+    if (!file.empty()) {
+      out->protect(file);
+    }
+  }
+  out->protectLoadedLibraries();
+  return out;
+}
+
+void addObserver(Simulation& simulation, RunContext context, const std::string& asked_by, const std::string& id,
+                 const Configuration& parameters) {
+  const Registry::Entry& entry = Registry::instance().require(PluginKind::kObserver, parameters.name());
+  auto observer = makePlugin<Observer>(entry);
+  context.experiment = &simulation.experiment();
+  context.asked_by = asked_by;
+  context.outcome = [&simulation] { return simulation.outcome(); };  // the simulation owns the observer
+  observer->configure(id, parameters, context);
+  simulation.addObserver(observer);
+}
+
+}  // namespace swarmanoid
