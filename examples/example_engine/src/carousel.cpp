@@ -2,11 +2,14 @@
 #include <algorithm>
 #include <vector>
 
+#include "swarmanoid_space/access.hpp"
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
 #include "swarmanoid_space/space.hpp"
 
+using swarmanoid::ConnectAccess;
 using swarmanoid::EntityModel;
+using swarmanoid::MoveAccess;
 using swarmanoid::Pose;
 using swarmanoid::Row;
 using swarmanoid::Space;
@@ -54,36 +57,36 @@ class Carousel final : public swarmanoid::Engine {
     return swarmanoid::kNoRow;
   }
 
-  void add(Space& space, Row row, swarmanoid::Role role) override {
+  void add(const Space& space, Row row, swarmanoid::Role role) override {
     // rays hit a mirrored entity in the engine that moves it, so this engine ignores mirrors
     if (role == swarmanoid::Role::kMove) {
       riders_.push_back({row, space.entities.model[row], space.entities.pose[row]});
     }
   }
-  void remove(Space&, Row row) override {
+  void remove(const Space&, Row row) override {
     const auto is_it = [row](const Rider& rider) { return rider.row == row; };
     riders_.erase(std::remove_if(riders_.begin(), riders_.end(), is_it), riders_.end());
   }
-  void place(Space& space, Row row) override {
+  void place(const Space& space, Row row) override {
     for (Rider& rider : riders_) {
       rider.pose = rider.row == row ? space.entities.pose[row] : rider.pose;
     }
   }
   void clear() override { riders_.clear(); }
 
-  void move(Space& space, swarmanoid::Duration dt) override {
+  void move(const Space&, const MoveAccess& access, swarmanoid::Duration dt) override {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(rate_ * swarmanoid::toSeconds(dt), Eigen::Vector3d::UnitZ()));
     const Eigen::Vector3d spin(0.0, 0.0, rate_);
     for (Rider& rider : riders_) {
       if (rider.model->is_movable) {
         rider.pose.position = axis_ + turn * (rider.pose.position - axis_);
         rider.pose.orientation = (turn * rider.pose.orientation).normalized();
-        space.entities.pose[rider.row] = rider.pose;
-        space.entities.twist[rider.row] = {spin.cross(rider.pose.position - axis_), spin};
+        access.pose[rider.row] = rider.pose;
+        access.twist[rider.row] = {spin.cross(rider.pose.position - axis_), spin};
       }
     }
   }
-  void connect(Space&) override {}
+  void connect(const Space&, const ConnectAccess&) override {}
 
   bool mayHit(const swarmanoid::RayBundle&) const override { return !riders_.empty(); }
   void raycast(const swarmanoid::RayBundle& rays, swarmanoid::Span<swarmanoid::RayHit> hits) const override {

@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "python_text.hpp"
+#include "python/python_text.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::bindings {

@@ -4,11 +4,11 @@
 
 #include <utility>
 
-#include "python_parameters.hpp"
+#include "python/python_parameters.hpp"
+#include "python/value_class.hpp"
+#include "python/values.hpp"
 #include "swarmanoid_interface/orientation.hpp"
 #include "swarmanoid_space/interventions/spawned_entity.hpp"
-#include "value_class.hpp"
-#include "values.hpp"
 
 namespace py = pybind11;
 

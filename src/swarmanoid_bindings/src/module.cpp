@@ -2,17 +2,17 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "errors.hpp"
-#include "field_arrays.hpp"
 #include "interventions.hpp"
-#include "python_scripts.hpp"
-#include "robot_host.hpp"
+#include "plugins/robot_host.hpp"
+#include "plugins/rule_world.hpp"
+#include "python/errors.hpp"
+#include "python/field_arrays.hpp"
+#include "python/python_scripts.hpp"
+#include "python/without_lock.hpp"
 #include "robots.hpp"
-#include "rule_world.hpp"
 #include "simulation_class.hpp"
 #include "swarmanoid_experiment_files/experiment_lookup.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
-#include "without_lock.hpp"
 
 PYBIND11_MODULE(_core, module) {
   swarmanoid::fixNumpy();

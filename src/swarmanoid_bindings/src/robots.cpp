@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "object_rules.hpp"
+#include "plugins/object_rules.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 
 namespace py = pybind11;

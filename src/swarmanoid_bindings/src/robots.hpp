@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "field_arrays.hpp"
 #include "moment.hpp"
+#include "python/field_arrays.hpp"
 #include "swarmanoid_interface/robot.hpp"
 #include "swarmanoid_space/space.hpp"
 

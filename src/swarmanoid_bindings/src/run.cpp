@@ -4,13 +4,13 @@
 #include <exception>
 #include <stdexcept>
 
-#include "errors.hpp"
-#include "python_rule.hpp"
-#include "python_scripts.hpp"
+#include "plugins/python_rule.hpp"
+#include "python/errors.hpp"
+#include "python/python_scripts.hpp"
+#include "python/without_lock.hpp"
 #include "swarmanoid_experiment_files/interventions/intervention_file.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_space/intervention.hpp"
-#include "without_lock.hpp"
 
 namespace py = pybind11;
 

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "holds_objects.hpp"
 #include "moment.hpp"
+#include "python/holds_objects.hpp"
+#include "python/thrown.hpp"
 #include "robots.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
-#include "thrown.hpp"
 
 namespace swarmanoid::bindings {
 

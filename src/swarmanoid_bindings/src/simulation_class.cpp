@@ -11,8 +11,9 @@
 
 #include "events.hpp"
 #include "interventions.hpp"
-#include "object_rules.hpp"
-#include "python_text.hpp"
+#include "plugins/object_rules.hpp"
+#include "python/python_text.hpp"
+#include "python/values.hpp"
 #include "record_of_run.hpp"
 #include "run.hpp"
 #include "swarmanoid_experiment_files/experiment_lookup.hpp"
@@ -22,7 +23,6 @@
 #include "swarmanoid_recording/output/run_files.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/simulation/run_result.hpp"
-#include "values.hpp"
 
 namespace py = pybind11;
 

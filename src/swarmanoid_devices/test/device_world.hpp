@@ -86,13 +86,13 @@ class DeviceWorld {
     takePoses();
     sensor.prepare(space);
     sensor.update(space, 0, sensor.instanceCount());
-    sensor.report(space);
+    sensor.report(space, ReportAccess(space));
   }
 
   /// @return rows with invalid commands
   std::vector<Row> actuate(Actuator& actuator) {
     std::vector<Row> faulty;
-    actuator.actuate(space, faulty);
+    actuator.actuate(space, ActuateAccess(space), faulty);
     return faulty;
   }
 
@@ -137,7 +137,9 @@ class ActuatorUnderTest {
         command(*static_cast<Device*>(actuator->add(world.space, row))) {}
 
   /// Applies a safe stop that began `since` seconds ago. @return whether it is over
-  bool stop(double since = 0.0) { return actuator->stop(world_.space, row_, {since, {}, robot_}); }
+  bool stop(double since = 0.0) {
+    return actuator->stop(world_.space, ActuateAccess(world_.space), row_, {since, {}, robot_});
+  }
 
   /// Returns the command after this tick's limits and noise.
   const Device& actuate() {

@@ -97,7 +97,7 @@ class EyebotLaserTest : public testing::Test {
     world.takePoses();
     world.space.laser_spots.clear();
     tested.actuate();
-    tested.actuator->afterMove(world.space);
+    tested.actuator->afterMove(world.space, AfterMoveAccess(world.space));
     return world.space.laser_spots;
   }
 

@@ -185,7 +185,7 @@ TEST_F(PositionTest, ActuatingAllocatesNothing) {
   std::vector<Row> faulty;
   const long before = heap_allocations;
   for (int i = 0; i < 3; ++i) {
-    position.actuator->actuate(world.space, faulty);
+    position.actuator->actuate(world.space, ActuateAccess(world.space), faulty);
     ++world.space.tick;
   }
   EXPECT_EQ(heap_allocations - before, 0);

@@ -219,7 +219,7 @@ TEST(JointStatesTest, SensingAndActuatingAllocateNothing) {
   std::vector<Row> faulty;
   const long before = heap_allocations;
   states.sensor->sense(world.space, 0, 1);
-  joints.actuator->actuate(world.space, faulty);
+  joints.actuator->actuate(world.space, ActuateAccess(world.space), faulty);
   EXPECT_EQ(heap_allocations - before, 0);
 }
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../src/light_sources.hpp"
+#include "../src/surroundings/light_sources.hpp"
 #include "device_world.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 

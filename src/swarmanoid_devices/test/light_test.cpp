@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "device_world.hpp"
-#include "sensors/ring_geometry.hpp"
+#include "sensors/rays/ring_geometry.hpp"
 #include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "actuators/message_sender.hpp"
+#include "actuators/messages/message_sender.hpp"
 #include "device_world.hpp"
-#include "sensors/message_receiver.hpp"
+#include "sensors/messages/message_receiver.hpp"
 #include "swarmanoid_interface/devices/messages.hpp"
 
 namespace swarmanoid::test {

@@ -77,7 +77,7 @@ TEST(MessageReceiverTest, ASafeStopIsSilence) {
   world.exchange();
   EXPECT_EQ(b.messages().size(), 1U);
   const Robot robot("a", "footbot", 1);
-  EXPECT_TRUE(world.sender->stop(world.space, a.row, {0.0, {}, robot})) << "at once";
+  EXPECT_TRUE(world.sender->stop(world.space, ActuateAccess(world.space), a.row, {0.0, {}, robot})) << "at once";
   ++world.space.tick;
   world.sense(*world.receiver);
   EXPECT_TRUE(b.messages().empty());

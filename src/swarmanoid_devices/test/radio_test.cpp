@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "../src/loss_law.hpp"
+#include "../src/common/loss_law.hpp"
 #include "device_world.hpp"
 #include "swarmanoid_interface/devices/bluetooth.hpp"
 #include "swarmanoid_interface/devices/wifi.hpp"

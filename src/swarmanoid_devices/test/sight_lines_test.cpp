@@ -1,5 +1,5 @@
 // Lines of sight, found with the outlines of nearby entities and few rays, equal one ray for each line.
-#include "../src/sight_lines.hpp"
+#include "../src/surroundings/sight_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,15 +32,15 @@ class StillEngine final : public Engine {
   Row overlap(const EntityModel& /*model*/, const Pose& /*pose*/, Span<const Row> /*ignored*/) const override {
     return kNoRow;
   }
-  void add(Space& space, Row row, Role /*role*/) override {
+  void add(const Space& space, Row row, Role /*role*/) override {
     rows_.push_back(row);
     space.mover[row] = this;
   }
-  void remove(Space& /*space*/, Row row) override { rows_.erase(std::find(rows_.begin(), rows_.end(), row)); }
-  void place(Space& /*space*/, Row /*row*/) override {}
+  void remove(const Space& /*space*/, Row row) override { rows_.erase(std::find(rows_.begin(), rows_.end(), row)); }
+  void place(const Space& /*space*/, Row /*row*/) override {}
   void clear() override { rows_.clear(); }
-  void move(Space& /*space*/, Duration /*dt*/) override {}
-  void connect(Space& /*space*/) override {}
+  void move(const Space& /*space*/, const MoveAccess&, Duration /*dt*/) override {}
+  void connect(const Space&, const ConnectAccess&) override {}
 
   bool mayHit(const RayBundle& /*rays*/) const override { return true; }
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override {

@@ -37,7 +37,7 @@ TEST(SlippingWheelsTest, TheGroundPassesSlowerAndWheelsTurnAsCommanded) {
     EXPECT_NEAR(world.space.wheels[robot].left, 6.205, 1e-12);
     EXPECT_NEAR(world.space.wheels[robot].right, -2.784, 1e-12);
     move(world, robot);
-    wheels.actuator->afterMove(world.space);
+    wheels.actuator->afterMove(world.space, AfterMoveAccess(world.space));
     ++world.space.tick;
   }
   EXPECT_NEAR(world.space.wheel_turns[robot].left, 2.19, 1e-12);
@@ -63,7 +63,7 @@ TEST(SlippingWheelsTest, WhereTheBatteryHasCutThemNothingTurns) {
   wheels.actuate();
   world.space.wheels[robot].left = world.space.wheels[robot].right = 0.0;
   move(world, robot);
-  wheels.actuator->afterMove(world.space);
+  wheels.actuator->afterMove(world.space, AfterMoveAccess(world.space));
   EXPECT_EQ(world.space.wheel_turns[robot].left, 0.0);
   EXPECT_EQ(world.space.wheel_turns[robot].right, 0.0);
 }
@@ -74,7 +74,7 @@ TEST(SlippingWheelsTest, AWheelThatTheEngineHasNotSlowedYetTurnsNoFasterThanItsM
   ActuatorUnderTest<Wheels> wheels(world, robot, slips("0.97", "0.2", "0"));
   wheels.actuate();
   world.space.wheel_turns[robot] = {-0.4, 0.4};
-  wheels.actuator->afterMove(world.space);
+  wheels.actuator->afterMove(world.space, AfterMoveAccess(world.space));
   const double fastest = world.space.entities.model[robot]->wheels->max_speed;
   EXPECT_NEAR(world.space.wheel_turns[robot].left, -fastest * kTick, 1e-12) << "not 13.3 rad";
   EXPECT_NEAR(world.space.wheel_turns[robot].right, 0.5, 1e-12);
@@ -130,8 +130,8 @@ TEST(SlippingWheelsTest, NothingIsAllocatedInATick) {
   const long before = heap_allocations;
   for (int i = 0; i < 10; ++i) {
     ++world.space.tick;
-    wheels.actuator->actuate(world.space, faulty);
-    wheels.actuator->afterMove(world.space);
+    wheels.actuator->actuate(world.space, ActuateAccess(world.space), faulty);
+    wheels.actuator->afterMove(world.space, AfterMoveAccess(world.space));
   }
   EXPECT_EQ(heap_allocations - before, 0);
 }

@@ -74,7 +74,7 @@ TEST(TerrainTest, ALaserSpotLiesOnTheGroundHoweverHighItIs) {
     ActuatorUnderTest<EyebotLaser> laser(world, robot);
     laser.command.on = true;
     laser.actuate();
-    laser.actuator->afterMove(world.space);
+    laser.actuator->afterMove(world.space, AfterMoveAccess(world.space));
     ASSERT_EQ(world.space.laser_spots.size(), 1U);
     EXPECT_LT((world.space.laser_spots[0].position - Vector3d(5.05, 5.0, height)).norm(), 1e-9);
     // the camera sees the spot there, too
@@ -90,7 +90,7 @@ TEST(TerrainTest, ALaserBesideAHoleEndsOnTheFloor) {
   ActuatorUnderTest<EyebotLaser> laser(world, robot);
   laser.command.on = true;
   laser.actuate();
-  laser.actuator->afterMove(world.space);
+  laser.actuator->afterMove(world.space, AfterMoveAccess(world.space));
   EXPECT_NEAR(world.space.laser_spots.at(0).position.z(), 0.0, 1e-9);
 }
 

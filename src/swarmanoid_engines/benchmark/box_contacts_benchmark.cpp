@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics3d/boxes.hpp"
+#include "dynamics3d/collision/boxes.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

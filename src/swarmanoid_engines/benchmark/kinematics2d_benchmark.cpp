@@ -41,7 +41,7 @@ void benchmarkMove(benchmark::State& state, double area_each) {
   std::vector<int> ticks_back(static_cast<std::size_t>(count), 0);
   for (auto _ : state) {
     test::carryOut(world->space);
-    world->engine.move(world->space, std::chrono::milliseconds(100));
+    world->engine.move(world->space, MoveAccess(world->space), std::chrono::milliseconds(100));
     // blocked robots back off along an arc: otherwise all are stuck in the end
     constexpr double kHardly = 0.02;  // m/s
     for (int i = 0; i < count; ++i) {

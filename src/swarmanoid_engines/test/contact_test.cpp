@@ -24,8 +24,8 @@ void tick(World& world, double seconds, int ticks = 1) {
   for (int i = 0; i < ticks; ++i) {
     world.engine.readMirrors(world.space);
     test::carryOut(world.space);
-    world.engine.move(world.space, std::chrono::nanoseconds(std::llround(1e9 * seconds)));
-    world.engine.connect(world.space);
+    world.engine.move(world.space, MoveAccess(world.space), std::chrono::nanoseconds(std::llround(1e9 * seconds)));
+    world.engine.connect(world.space, ConnectAccess(world.space));
   }
 }
 

@@ -109,7 +109,7 @@ TEST_P(FreeMotionScenesTest, AllComeWhereTheyWouldHaveComeInTurn) {
   const LastFirst last_first;
   Hustle first(GetParam());
   first.world.engine.setLeastBlock(GetParam().block);
-  first.world.engine.takeWorkers(last_first);
+  first.world.engine.prepare({nullptr, &last_first});
   Hustle in_turn(GetParam());
   in_turn.world.engine.setLeastBlock(0);
   for (int tick = 0; tick < 400; ++tick) {

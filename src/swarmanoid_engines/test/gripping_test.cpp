@@ -168,7 +168,7 @@ TEST(GrippingTest, ARobotWithoutADriveIsGrippedOneThatFliesIsNot) {
     world.step();
     EXPECT_EQ(world.space.structure.grippedBy(gripper), flies ? kNoRow : other);
     world.space.structure.connect(gripper, other);  // another engine may allow it
-    EXPECT_EQ(world.engine.unsupportedGripReason(world.space, gripper),
+    EXPECT_EQ(world.engine.unsupportedStateReason(world.space, gripper),
               flies ? "grips the robot 'e2', which this engine cannot hold" : "");
   }
 }
@@ -188,9 +188,9 @@ TEST(GrippingTest, ThereAreNoChains) {
     EXPECT_EQ(world.space.structure.grippedBy(middle), is_first_gripped_first ? kNoRow : prey);
     world.space.structure.connect(first, middle);
     world.space.structure.connect(middle, prey);
-    EXPECT_EQ(world.engine.unsupportedGripReason(world.space, first),
+    EXPECT_EQ(world.engine.unsupportedStateReason(world.space, first),
               "grips 'e2' while that grips something, which this engine cannot hold");
-    EXPECT_EQ(world.engine.unsupportedGripReason(world.space, middle), "");
+    EXPECT_EQ(world.engine.unsupportedStateReason(world.space, middle), "");
   }
 }
 

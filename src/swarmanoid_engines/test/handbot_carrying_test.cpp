@@ -150,7 +150,7 @@ TEST(KinematicCarryingTest, GripsOfSeveralComeAlongIntoTheEngine) {
   Carried<kinematics2d::World> carried;
   kinematics2d::World& world = carried.world;
   for (const Row footbot : carried.footbots) {
-    EXPECT_EQ(world.engine.unsupportedGripReason(world.space, footbot), "");
+    EXPECT_EQ(world.engine.unsupportedStateReason(world.space, footbot), "");
   }
   const std::vector<Row> all{carried.footbots[1], carried.handbot, carried.footbots[0]};
   for (const Row row : all) {

@@ -139,8 +139,8 @@ class PlanarWorld {
       space.events.clear();
       test::carryOut(space);
       engine.readMirrors(space);
-      engine.move(space, std::chrono::milliseconds(100));
-      engine.connect(space);
+      engine.move(space, MoveAccess(space), std::chrono::milliseconds(100));
+      engine.connect(space, ConnectAccess(space));
     }
   }
 

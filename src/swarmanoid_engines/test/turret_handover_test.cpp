@@ -37,8 +37,8 @@ class Journey {
 
   void tick() {
     test::carryOut(space);
-    engine().move(space, space.clocktick);
-    engine().connect(space);
+    engine().move(space, MoveAccess(space), space.clocktick);
+    engine().connect(space, ConnectAccess(space));
   }
   /// Hands both entities to the next engine.
   void handOver() {

@@ -172,8 +172,8 @@ class BrokenEngine final : public test::GlideEngine {
     description.label = "broken";
     return description;
   }
-  void move(Space& space, Duration) override {
-    for (Pose& pose : space.entities.pose) {
+  void move(const Space& space, const MoveAccess& access, Duration) override {
+    for (Pose& pose : access.pose) {
       if (space.tick == 2) {
         pose.orientation.z() = std::numeric_limits<double>::quiet_NaN();
       }

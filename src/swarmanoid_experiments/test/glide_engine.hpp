@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/space.hpp"
+#include "swarmanoid_space/access.hpp"
 
 namespace swarmanoid::test {
 
@@ -35,20 +35,20 @@ class GlideEngine : public Engine {
     });
     return found == held_.end() ? kNoRow : found->row;
   }
-  std::string unsupportedGripReason(const Space&, Row) const override { return ""; }
-  void add(Space&, Row row, Role role) override { held_.push_back({row, role}); }
-  void remove(Space&, Row row) override {
+  std::string unsupportedStateReason(const Space&, Row) const override { return ""; }
+  void add(const Space&, Row row, Role role) override { held_.push_back({row, role}); }
+  void remove(const Space&, Row row) override {
     const auto is_it = [row](const Held& held) { return held.row == row; };
     held_.erase(std::remove_if(held_.begin(), held_.end(), is_it), held_.end());
   }
-  void place(Space&, Row) override {}
+  void place(const Space&, Row) override {}
   void clear() override { held_.clear(); }
-  void move(Space& space, Duration dt) override {
+  void move(const Space& space, const MoveAccess& access, Duration dt) override {
     for (const Held& held : held_) {
       if (held.role == Role::kMirror) {
         continue;
       }
-      Pose& pose = space.entities.pose[held.row];
+      Pose& pose = access.pose[held.row];
       const Twist& twist = space.entities.twist[held.row];
       pose.position += twist.linear * toSeconds(dt);
       const double turn = twist.angular.norm() * toSeconds(dt);
@@ -57,7 +57,7 @@ class GlideEngine : public Engine {
       }
     }
   }
-  void connect(Space&) override {}
+  void connect(const Space&, const ConnectAccess&) override {}
   bool mayHit(const RayBundle&) const override { return false; }
   void raycast(const RayBundle&, Span<RayHit>) const override {}
 

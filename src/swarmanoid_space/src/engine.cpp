@@ -5,7 +5,14 @@
 
 namespace swarmanoid {
 
-std::string Engine::unsupportedStateReason(const Space& space, Row row) const {
+std::string EngineLimits::unsupportedStateReason(const Space& space, Row row) const {
+  if (space.structure.grippedBy(row) != kNoRow) {
+    return "grips, and this engine holds no grips";
+  }
+  return unsupportedAttachmentReason(space, row);
+}
+
+std::string EngineLimits::unsupportedAttachmentReason(const Space& space, Row row) {
   std::string reason;
   space.attachments.visit(row, [&](std::size_t holder, const Attachment&) {
     if (reason.empty()) {
@@ -16,17 +23,17 @@ std::string Engine::unsupportedStateReason(const Space& space, Row row) const {
   return reason;
 }
 
-void Engine::findObstacles(const RayBundle& rays, Obstacles& found) const {
+void RayTarget::findObstacles(const RayBundle& rays, Obstacles& found) const {
   if (mayHit(rays)) {
     found.addAnywhere();
   }
 }
 
-void Engine::castRayAt(const Obstacles::Solid& /*solid*/, const Segment& /*segment*/, RayHit& /*hit*/) const {
+void RayTarget::castRayAt(const Obstacles::Solid& /*solid*/, const Segment& /*segment*/, RayHit& /*hit*/) const {
   SWARMANOID_EXPECTS(false);  // engines that report outlines override this
 }
 
-bool Engine::blocks(Row /*row*/, const RayBundle& ray) const {
+bool RayTarget::blocks(Row /*row*/, const RayBundle& ray) const {
   RayHit hit;
   raycast(ray, Span<RayHit>(&hit, 1));
   return hit.isHit();

@@ -52,8 +52,8 @@ class NameVisitor final : public StateVisitor {
 
 TEST(ColumnTest, ARowThatLivesAgainHasTheDefaultsInEveryColumn) {
   Entities entities;
-  Column<int> patience{entities.columns, {"patience", Writer::kControl}, 7};
-  Column<std::unique_ptr<int>> owned{entities.columns, {"owned", Writer::kBetweenTicks}};
+  Column<int, WrittenIn::kControl> patience{entities.columns, {"patience"}, 7};
+  Column<std::unique_ptr<int>> owned{entities.columns, {"owned"}};
   const Row row = entities.add("a", lightModel(), {}, {});
   EXPECT_EQ(patience[row], 7);
   patience[row] = 3;
@@ -71,7 +71,7 @@ TEST(ColumnTest, AColumnThatComesLaterHasAllRowsAndOneThatGoesLeavesTheOthers) {
   const Row first = entities.add("a", lightModel(), {}, {});
   const std::size_t count = entities.columns.all().size();
   {
-    Column<double> later{entities.columns, {"later", Writer::kIndex}};
+    Column<double, WrittenIn::kIndex> later{entities.columns, {"later"}};
     EXPECT_EQ(later[first], 0.0);
     later[first] = 1.0;
     EXPECT_EQ(entities.columns.all().size(), count + 1);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "../python_lock.hpp"
+#include "python/python_lock.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
 #include "swarmanoid_space/script_host.hpp"
 

@@ -1,7 +1,7 @@
 // Magnet: this device only passes the command on; the engine that moves the robot computes the attachment.
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 
-#include "holders.hpp"
+#include "common/holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -21,7 +21,9 @@ class EyebotMagnetActuator final : public HolderActuator<EyebotMagnetActuator, E
   }
 
  protected:
-  void apply(Space& space, Instance& instance) override { command(space, instance, 0, instance.actuation->on); }
+  void apply(const Space& /*space*/, const ActuateAccess& access, Instance& instance) override {
+    command(access, instance, 0, instance.actuation->on);
+  }
 };
 
 }  // namespace

@@ -2,9 +2,9 @@
 // mass, so this device keeps its angles.
 #include "swarmanoid_interface/devices/eyebot_pan_tilt.hpp"
 
-#include "parameters.hpp"
+#include "common/parameters.hpp"
+#include "common/tick_guard.hpp"
 #include "swarmanoid_space/actuator.hpp"
-#include "tick_guard.hpp"
 
 namespace swarmanoid::devices {
 namespace {

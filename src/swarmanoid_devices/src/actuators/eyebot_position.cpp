@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanisms.hpp"
-#include "parameters.hpp"
+#include "common/mechanisms.hpp"
+#include "common/parameters.hpp"
+#include "common/tick_guard.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/eyebot_pilot.hpp"
 #include "swarmanoid_space/actuator.hpp"
-#include "tick_guard.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -56,12 +56,12 @@ class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionI
     position = position.cwiseMax(-kFarthest).cwiseMin(kFarthest);
   }
 
-  void apply(Space& space, PositionInstance& instance) override {
+  void apply(const Space& space, const ActuateAccess& access, PositionInstance& instance) override {
     const bool is_added = !instance.tick.hasBegun();
     const bool is_new = instance.tick.begins(space.tick);
     if (is_added) {
       instance.pose = space.entities.pose[instance.row];
-      space.flight[instance.row] = {true, Eigen::Vector3d::Zero(), 0.0};
+      access.flight[instance.row] = {true, Eigen::Vector3d::Zero(), 0.0};
       return;
     }
     const double dt = toSeconds(space.clocktick);
@@ -71,7 +71,7 @@ class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionI
     }
     instance.pilot = instance.before;
     const EyebotPilot::Flight flight = instance.pilot.fly(*instance.actuation, limits_, dt);
-    space.flight[instance.row] = {true, flight.linear, flight.yaw_rate};
+    access.flight[instance.row] = {true, flight.linear, flight.yaw_rate};
   }
 
  private:

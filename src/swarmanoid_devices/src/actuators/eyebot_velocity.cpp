@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanisms.hpp"
-#include "parameters.hpp"
+#include "common/mechanisms.hpp"
+#include "common/parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
 namespace swarmanoid::devices {
@@ -50,8 +50,9 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
     velocity.yaw_rate = std::clamp(velocity.yaw_rate, -max_yaw_rate_, max_yaw_rate_);
   }
 
-  void apply(Space& space, BasicActuatorInstance<EyebotVelocity>& instance) override {
-    space.flight[instance.row] = {true, instance.actuation->linear, instance.actuation->yaw_rate};
+  void apply(const Space& /*space*/, const ActuateAccess& access,
+             BasicActuatorInstance<EyebotVelocity>& instance) override {
+    access.flight[instance.row] = {true, instance.actuation->linear, instance.actuation->yaw_rate};
   }
 
  private:

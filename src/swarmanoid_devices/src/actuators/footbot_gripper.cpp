@@ -1,7 +1,7 @@
 // Gripper: this device only passes the command on; the engine that moves the robot computes the grip.
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 
-#include "holders.hpp"
+#include "common/holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -22,7 +22,9 @@ class FootbotGripperActuator final : public HolderActuator<FootbotGripperActuato
   }
 
  protected:
-  void apply(Space& space, Instance& instance) override { command(space, instance, 0, instance.actuation->closed); }
+  void apply(const Space& /*space*/, const ActuateAccess& access, Instance& instance) override {
+    command(access, instance, 0, instance.actuation->closed);
+  }
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 // Turret: the command is limited to the motor's range. The engine that moves the robot turns the turret.
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 
-#include "joints.hpp"
-#include "parameters.hpp"
+#include "common/joints.hpp"
+#include "common/parameters.hpp"
 
 namespace swarmanoid::devices {
 namespace {

@@ -1,8 +1,8 @@
 // Arms: angles are limited to the stops of the joints. The engine that moves the robot moves the joints.
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 
-#include "joints.hpp"
-#include "parameters.hpp"
+#include "common/joints.hpp"
+#include "common/parameters.hpp"
 
 namespace swarmanoid::devices {
 namespace {

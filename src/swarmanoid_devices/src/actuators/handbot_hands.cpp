@@ -1,7 +1,7 @@
 // Hands: this device only passes the command on; the engine that moves the robot computes the attachments.
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 
-#include "holders.hpp"
+#include "common/holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -21,9 +21,9 @@ class HandbotHandsActuator final : public HolderActuator<HandbotHandsActuator, H
   }
 
  protected:
-  void apply(Space& space, Instance& instance) override {
-    command(space, instance, 0, instance.actuation->left);
-    command(space, instance, 1, instance.actuation->right);
+  void apply(const Space& /*space*/, const ActuateAccess& access, Instance& instance) override {
+    command(access, instance, 0, instance.actuation->left);
+    command(access, instance, 1, instance.actuation->right);
   }
 };
 

@@ -2,8 +2,8 @@
 // holding.
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 
-#include "holders.hpp"
-#include "parameters.hpp"
+#include "common/holders.hpp"
+#include "common/parameters.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -35,8 +35,8 @@ class HandbotRopeActuator final : public WinchActuator<HandbotRopeActuator, Hand
   }
 
  protected:
-  void apply(Space& space, Instance& instance) override {
-    command(space, instance, 0, instance.actuation->shot, instance.actuation->winding_speed);
+  void apply(const Space& /*space*/, const ActuateAccess& access, Instance& instance) override {
+    command(access, instance, 0, instance.actuation->shot, instance.actuation->winding_speed);
   }
 };
 

@@ -1,7 +1,7 @@
 // All holders of any robot: the engine that moves the robot computes holding and winding.
 #include "swarmanoid_interface/devices/holders.hpp"
 
-#include "holders.hpp"
+#include "common/holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -25,10 +25,10 @@ class HoldersActuator final : public WinchActuator<HoldersActuator, Holders, Hol
   static double& windingOf(Holders& holders, std::size_t which) { return holders.holders[which].winding_speed; }
 
  protected:
-  void apply(Space& space, Instance& instance) override {
+  void apply(const Space& /*space*/, const ActuateAccess& access, Instance& instance) override {
     for (std::size_t which = 0; which < Holders::kMost; ++which) {
       const Holders::Holder& holder = instance.actuation->holders[which];
-      command(space, instance, which, holder.holds, holder.winding_speed);
+      command(access, instance, which, holder.holds, holder.winding_speed);
     }
   }
 };

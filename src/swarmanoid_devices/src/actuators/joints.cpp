@@ -1,7 +1,7 @@
 // The joints of any robot.
 #include "swarmanoid_interface/devices/joints.hpp"
 
-#include "joints.hpp"
+#include "common/joints.hpp"
 
 namespace swarmanoid::devices {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "parameters.hpp"
+#include "common/parameters.hpp"
 #include "wheel_drive.hpp"
 
 namespace swarmanoid::devices {
@@ -43,9 +43,9 @@ class SlippingDrive final : public Drive {
     noise_ = parameters.number("slip_noise");
   }
 
-  void afterMove(Space& space) override {
+  void afterMove(const Space& space, const AfterMoveAccess& access) override {
     for (Instance& instance : this->instances_) {
-      WheelTurns& turns = space.wheel_turns[instance.row];
+      WheelTurns& turns = access.wheel_turns[instance.row];
       const WheelTurns& before = instance.turns_before;
       const WheelGrip& grip = space.wheels[instance.row].grip;
       const double most = instance.wheels->max_speed * toSeconds(space.clocktick);
@@ -58,11 +58,11 @@ class SlippingDrive final : public Drive {
  protected:
   using Instance = typename Drive::Instance;
 
-  void apply(Space& space, Instance& instance) override {
-    Drive::apply(space, instance);
+  void apply(const Space& space, const ActuateAccess& access, Instance& instance) override {
+    Drive::apply(space, access, instance);
     instance.random.startTick(space.tick);
     instance.turns_before = space.wheel_turns[instance.row];
-    WheelsCommand& wheels = space.wheels[instance.row];
+    WheelsCommand& wheels = access.wheels[instance.row];
     wheels.grip.left = drawGrip(instance, slip_.left);
     wheels.grip.right = drawGrip(instance, slip_.right);
     wheels.left *= wheels.grip.left;

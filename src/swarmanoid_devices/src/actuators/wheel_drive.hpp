@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "mechanisms.hpp"
+#include "common/mechanisms.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
 namespace swarmanoid::devices {
@@ -60,9 +60,9 @@ class WheelDriveActuator : public ActuatorOf<Device, WheelDriveInstance<Device>>
     Drive::fromSpeeds(speeds, *instance.wheels, *instance.actuation);
   }
 
-  void apply(Space& space, Instance& instance) override {
+  void apply(const Space& /*space*/, const ActuateAccess& access, Instance& instance) override {
     const WheelSpeeds speeds = Drive::toSpeeds(*instance.actuation, *instance.wheels);
-    space.wheels[instance.row] = {true, speeds.left, speeds.right};
+    access.wheels[instance.row] = {true, speeds.left, speeds.right};
   }
 };
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "../parameters.hpp"
+#include "common/parameters.hpp"
 #include "robot_group.hpp"
 #include "swarmanoid_space/rule.hpp"
 

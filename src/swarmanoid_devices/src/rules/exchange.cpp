@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "../parameters.hpp"
 #include "batteries.hpp"
+#include "common/parameters.hpp"
 #include "update_members.hpp"
 
 namespace swarmanoid::devices {

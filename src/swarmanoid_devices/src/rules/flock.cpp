@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "../parameters.hpp"
+#include "common/parameters.hpp"
 #include "robot_group.hpp"
 #include "swarmanoid_space/rule.hpp"
 

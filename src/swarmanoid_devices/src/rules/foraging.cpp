@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "../parameters.hpp"
+#include "common/parameters.hpp"
 #include "floor_patch.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/rule.hpp"

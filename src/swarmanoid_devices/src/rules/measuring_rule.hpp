@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../parameters.hpp"
+#include "common/parameters.hpp"
 #include "robot_group.hpp"
 #include "swarmanoid_space/rule.hpp"
 

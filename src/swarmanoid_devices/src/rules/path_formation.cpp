@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "../lit_entities.hpp"
-#include "../parameters.hpp"
+#include "common/parameters.hpp"
 #include "named_entity.hpp"
+#include "surroundings/lit_entities.hpp"
 #include "swarmanoid_space/rule.hpp"
 
 namespace swarmanoid::devices {

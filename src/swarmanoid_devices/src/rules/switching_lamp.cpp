@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "../parameters.hpp"
+#include "common/parameters.hpp"
 #include "swarmanoid_space/rule.hpp"
 
 namespace swarmanoid::devices {

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "../parameters.hpp"
+#include "common/parameters.hpp"
 #include "named_entity.hpp"
 #include "robot_group.hpp"
 #include "swarmanoid_space/rule.hpp"

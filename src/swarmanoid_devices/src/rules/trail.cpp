@@ -1,7 +1,7 @@
 // A trail: robots that show a colour paint the floor under them, for others to find (stigmergy).
 #include <algorithm>
 
-#include "../parameters.hpp"
+#include "common/parameters.hpp"
 #include "swarmanoid_space/rule.hpp"
 
 namespace swarmanoid::devices {

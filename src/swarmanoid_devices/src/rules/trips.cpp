@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "../parameters.hpp"
+#include "common/parameters.hpp"
 #include "floor_patch.hpp"
 #include "listed_names.hpp"
 #include "robot_group.hpp"

@@ -1,7 +1,7 @@
 // The magnet's contact switch.
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 
-#include "holders.hpp"
+#include "common/holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {

@@ -1,6 +1,6 @@
 // The turret's encoder and the torque of its motor, as written by the engine that moves the robot.
-#include "joints.hpp"
-#include "parameters.hpp"
+#include "common/joints.hpp"
+#include "common/parameters.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 
 namespace swarmanoid::devices {

@@ -1,6 +1,6 @@
 // Encoders and torque sensors of the arms' joints.
-#include "joints.hpp"
-#include "parameters.hpp"
+#include "common/joints.hpp"
+#include "common/parameters.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 
 namespace swarmanoid::devices {

@@ -1,7 +1,7 @@
 // The docking sensors of the hands.
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 
-#include "holders.hpp"
+#include "common/holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {

@@ -1,7 +1,7 @@
 // The rope's encoder and tension sensor.
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 
-#include "holders.hpp"
+#include "common/holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {

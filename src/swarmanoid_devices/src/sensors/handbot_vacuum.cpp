@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "hand_rays.hpp"
-#include "holders.hpp"
+#include "common/holders.hpp"
+#include "sensors/rays/hand_rays.hpp"
 
 namespace swarmanoid::devices {
 namespace {

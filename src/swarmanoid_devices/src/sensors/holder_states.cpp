@@ -1,6 +1,6 @@
 // State of all holders of any robot. Bodies held by grippers are in the structural tree, all others in the attachments.
-#include "holders.hpp"
-#include "span_readings.hpp"
+#include "common/holders.hpp"
+#include "common/span_readings.hpp"
 #include "swarmanoid_interface/devices/holders.hpp"
 
 namespace swarmanoid::devices {

@@ -1,9 +1,9 @@
 // The inertial measurement unit of any robot, from the velocities at the ends of the last two ticks.
 #include "swarmanoid_interface/devices/imu.hpp"
 
+#include "common/tick_guard.hpp"
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/sensor.hpp"
-#include "tick_guard.hpp"
 
 namespace swarmanoid::devices {
 namespace {

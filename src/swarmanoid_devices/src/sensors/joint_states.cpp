@@ -1,6 +1,6 @@
 // Encoders and torque sensors of the joints of any robot.
-#include "joints.hpp"
-#include "span_readings.hpp"
+#include "common/joints.hpp"
+#include "common/span_readings.hpp"
 #include "swarmanoid_interface/devices/joints.hpp"
 
 namespace swarmanoid::devices {

@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "mechanisms.hpp"
-#include "parameters.hpp"
+#include "common/mechanisms.hpp"
+#include "common/parameters.hpp"
+#include "common/tick_guard.hpp"
 #include "swarmanoid_interface/devices/wheel_encoders.hpp"
 #include "swarmanoid_space/sensor.hpp"
-#include "tick_guard.hpp"
 
 namespace swarmanoid::devices {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "swarmanoid_interface/plain_text.hpp"
-#include "swarmanoid_space/space.hpp"
+#include "swarmanoid_space/access.hpp"
 
 namespace swarmanoid {
 
@@ -25,9 +25,10 @@ inline int commandedGripper(const Space& space, Row row) {
 }
 
 /// Phase `connect`. @param kind kAttached or kReleased
-inline void reportGrip(Space& space, Event::Kind kind, Row gripper, Row gripped, const std::string& text = "") {
+inline void reportGrip(const Space& space, const ConnectAccess& access, Event::Kind kind, Row gripper, Row gripped,
+                       const std::string& text = "") {
   const auto& names = space.entities.name;
-  space.events.push_back({kind, names[gripper], names[gripped], text});
+  access.events.push_back({kind, names[gripper], names[gripped], text});
 }
 
 /// Text of the event for a grip that ended because it was pulled too hard. @param strength [N]

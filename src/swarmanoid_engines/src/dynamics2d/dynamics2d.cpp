@@ -90,7 +90,7 @@ std::string Dynamics2d::unsupportedReason(const EntityModel& model, const std::v
   return problem.empty() ? problemWithModel(model) : problem;
 }
 
-void Dynamics2d::add(Space& space, Row row, Role role) {
+void Dynamics2d::add(const Space& space, Row row, Role role) {
   const BodyIndex index = bodies_.add(space, row, role);
   rigid_bodies_.resize(std::max(rigid_bodies_.size(), static_cast<std::size_t>(index) + 1));
   rigid(index) = RigidBody{};
@@ -147,7 +147,7 @@ void Dynamics2d::takePose(const Space& space, BodyIndex index) {
   takeMotion(space, index);
 }
 
-void Dynamics2d::remove(Space&, Row row) {
+void Dynamics2d::remove(const Space&, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   rigid(index) = RigidBody{};
@@ -158,7 +158,7 @@ void Dynamics2d::remove(Space&, Row row) {
   bodies_.remove(index);
 }
 
-void Dynamics2d::place(Space& space, Row row) {
+void Dynamics2d::place(const Space& space, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   takePose(space, index);

@@ -22,9 +22,9 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics2d/crowd_memory.hpp"
-#include "dynamics2d/island.hpp"
 #include "dynamics2d/rigid_body.hpp"
+#include "dynamics2d/solver/crowd_memory.hpp"
+#include "dynamics2d/solver/island.hpp"
 #include "planar/planar_engine.hpp"
 
 namespace swarmanoid::dynamics2d {
@@ -55,14 +55,13 @@ class Dynamics2d final : public planar::PlanarEngine {
   void configure(const std::string& id, const Configuration& parameters) override;
   void reconfigure(const Configuration& parameters) override;
   std::string unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const override;
-  std::string unsupportedGripReason(const Space&, Row) const override { return ""; }
-  void add(Space& space, Row row, Role role) override;
-  void remove(Space& space, Row row) override;
-  void place(Space& space, Row row) override;
+  void add(const Space& space, Row row, Role role) override;
+  void remove(const Space& space, Row row) override;
+  void place(const Space& space, Row row) override;
   void clear() override;
   void readMirrors(const Space& space) override;
-  void move(Space& space, Duration dt) override;
-  void connect(Space& space) override;
+  void move(const Space& space, const MoveAccess& access, Duration dt) override;
+  void connect(const Space& space, const ConnectAccess& access) override;
   void draw(EngineDrawing& drawing) const override;
   double gravity() const override { return material_.gravity; }
 
@@ -81,7 +80,7 @@ class Dynamics2d final : public planar::PlanarEngine {
 
   // motion.cpp
   void startTick(const Space& space, double tick);
-  void finishTick(Space& space, double tick);
+  void finishTick(const Space& space, const MoveAccess& access, double tick);
 
   // alone.cpp
   /// Bounds on the motion of a body by itself in this tick: the current or the commanded one, whichever is larger.
@@ -144,7 +143,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void turnGripper(const planar::Turret& turret);
   void aimTurret(GripConstraint& grip, double step);
   void readTurret(const GripConstraint& grip, double step);
-  void finishTurrets(Space& space);
+  void finishTurrets(const MoveAccess& access);
 
   // drawing.cpp
   void drawForces(BodyIndex index, EngineDrawing& drawing) const;

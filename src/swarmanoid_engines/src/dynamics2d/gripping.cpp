@@ -9,7 +9,7 @@
 
 namespace swarmanoid::dynamics2d {
 
-void Dynamics2d::connect(Space& space) {
+void Dynamics2d::connect(const Space& space, const ConnectAccess& access) {
   for (const BodyIndex index : movers_) {
     const Body& body = bodies_[index];
     if (body.gripper < 0) {
@@ -17,23 +17,24 @@ void Dynamics2d::connect(Space& space) {
     }
     Grip& grip = rigid(index).grip;
     if (grip.is_torn) {
-      reportGrip(space, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row, tornText(material_.grip_strength));
-      space.structure.release(body.row);
+      reportGrip(space, access, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row,
+                 tornText(material_.grip_strength));
+      access.structure.release(body.row);
       grip = Grip{};
       grip.must_open = true;
     }
     if (!planar::isGripperClosed(space, body)) {
       grip.must_open = false;
       if (grip.isHolding()) {
-        reportGrip(space, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row);
-        space.structure.release(body.row);
+        reportGrip(space, access, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row);
+        access.structure.release(body.row);
         letGo(index);
       }
     } else if (!grip.isHolding() && !grip.must_open) {
       const BodyIndex found = findGrippable(space, index);
-      if (found != kNoBody && space.structure.connect(body.row, bodies_[found].row)) {
+      if (found != kNoBody && access.structure.connect(body.row, bodies_[found].row)) {
         hold(index, found);
-        reportGrip(space, Event::Kind::kAttached, body.row, bodies_[found].row);
+        reportGrip(space, access, Event::Kind::kAttached, body.row, bodies_[found].row);
       }
     }
   }

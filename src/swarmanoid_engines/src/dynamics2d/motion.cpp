@@ -21,13 +21,13 @@ void Dynamics2d::readMirrors(const Space& space) {
   }
 }
 
-void Dynamics2d::move(Space& space, Duration dt) {
+void Dynamics2d::move(const Space& space, const MoveAccess& access, Duration dt) {
   const double tick = toSeconds(dt);
   startTick(space, tick);
   moveAlone(tick);
   moveIslands(tick);
-  finishTick(space, tick);
-  finishTurrets(space);
+  finishTick(space, access, tick);
+  finishTurrets(access);
 }
 
 void Dynamics2d::startTick(const Space& space, double tick) {
@@ -52,7 +52,7 @@ void Dynamics2d::startTick(const Space& space, double tick) {
   }
 }
 
-void Dynamics2d::finishTick(Space& space, double tick) {
+void Dynamics2d::finishTick(const Space& space, const MoveAccess& access, double tick) {
   crowd_memory_.finishTick();
   const planar::Plane& plane = bodies_.plane();
   for (const BodyIndex index : movers_) {
@@ -60,15 +60,15 @@ void Dynamics2d::finishTick(Space& space, double tick) {
     rigid_body.heading = wrapAngle(rigid_body.heading);
     const planar::PlacedPose before = bodies_[index].pose;
     const planar::PlacedPose pose = rigid_body.pose(before);
-    turnWheels(space, bodies_[index], tick);
-    Twist& twist = space.entities.twist[bodies_[index].row];
+    turnWheels(space, access, bodies_[index], tick);
+    Twist& twist = access.twist[bodies_[index].row];
     const Eigen::Vector2d arm = pose.rotated(rigid_body.arm);
     const Eigen::Vector2d velocity = rigid_body.velocity - rigid_body.spin * Eigen::Vector2d(-arm.y(), arm.x());
     twist.linear = plane.toGlobal(velocity, 0.0);
     twist.angular = plane.normal() * rigid_body.spin;
     if (pose.position != before.position || pose.heading != before.heading) {
       bodies_.setPose(index, pose);
-      writePose(space, index, before.heading);
+      writePose(access, index, before.heading);
     }
   }
 }

@@ -82,13 +82,13 @@ void Dynamics2d::readTurret(const GripConstraint& grip, double step) {
                   turret.sense * grip.turn_impulse / step};
 }
 
-void Dynamics2d::finishTurrets(Space& space) {
+void Dynamics2d::finishTurrets(const MoveAccess& access) {
   constexpr double kSeen = 1e-4;  // rad: a held angle oscillates by less
   for (const Turret& turret : bodies_.turrets()) {
     if (std::abs(wrapTurn(turret.state.angle - bodies_.shapesAngle(turret))) > kSeen) {
       turnGripper(turret);
     }
-    space.joints[bodies_[turret.body].row][turret.joint] = turret.state;
+    access.joints[bodies_[turret.body].row][turret.joint] = turret.state;
   }
 }
 

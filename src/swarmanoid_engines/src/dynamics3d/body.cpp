@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "common/grips.hpp"
-#include "dynamics3d/arms.hpp"
-#include "dynamics3d/solids.hpp"
+#include "dynamics3d/collision/solids.hpp"
+#include "dynamics3d/mechanisms/arms.hpp"
 #include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::dynamics3d {

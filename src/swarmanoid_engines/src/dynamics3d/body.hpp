@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
+#include "dynamics3d/mechanisms/turret.hpp"
 #include "dynamics3d/ode.hpp"
 #include "dynamics3d/settings.hpp"
-#include "dynamics3d/turret.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::dynamics3d {

@@ -1,6 +1,6 @@
 #include "dynamics3d/bounds.hpp"
 
-#include "dynamics3d/placed_solid.hpp"
+#include "dynamics3d/collision/placed_solid.hpp"
 
 namespace swarmanoid::dynamics3d {
 

@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
-#include "dynamics3d/balls.hpp"
+#include "dynamics3d/collision/balls.hpp"
 #include "dynamics3d/dynamics3d.hpp"
-#include "dynamics3d/rope.hpp"
+#include "dynamics3d/mechanisms/rope.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "common/unsupported_mechanisms.hpp"
-#include "dynamics3d/convex_overlap.hpp"
-#include "dynamics3d/ground_contacts.hpp"
-#include "dynamics3d/solids.hpp"
-#include "dynamics3d/treels.hpp"
+#include "dynamics3d/collision/convex_overlap.hpp"
+#include "dynamics3d/collision/solids.hpp"
+#include "dynamics3d/contacts/ground_contacts.hpp"
+#include "dynamics3d/mechanisms/treels.hpp"
 
 #include "swarmanoid_interface/plain_text.hpp"
 
@@ -38,9 +38,9 @@ std::string Dynamics3d::unsupportedReason(const EntityModel& model, const std::v
   return problem.empty() ? unsupportedGripperReason(model, devices) : problem;
 }
 
-void Dynamics3d::takeTerrain(const std::shared_ptr<const Terrain>& terrain) {
-  ground_ =
-      GroundSurface(terrain, settings_.has_ground ? std::optional<double>(settings_.ground_height) : std::nullopt);
+void Dynamics3d::prepare(const EngineSurroundings& surroundings) {
+  ground_ = GroundSurface(surroundings.terrain,
+                          settings_.has_ground ? std::optional<double>(settings_.ground_height) : std::nullopt);
 }
 
 std::string Dynamics3d::invalidPoseReason(const EntityModel& model, const Pose& pose) const {
@@ -77,7 +77,7 @@ Row Dynamics3d::overlap(const EntityModel& model, const Pose& pose, Span<const R
   return found == nullptr ? kNoRow : found->row;
 }
 
-void Dynamics3d::add(Space& space, Row row, Role role) {
+void Dynamics3d::add(const Space& space, Row row, Role role) {
   const OdeLock lock(seed_);
   makeWorld();
   by_row_.fit(row) = makeBody(world_, space, row, role);
@@ -127,7 +127,7 @@ void Dynamics3d::takePose(const Space& space, Body& body) {
   }
 }
 
-void Dynamics3d::remove(Space&, Row row) {
+void Dynamics3d::remove(const Space&, Row row) {
   const OdeLock lock(seed_);
   Body* body = by_row_[row].get();
   forgetHolds(*body);
@@ -138,7 +138,7 @@ void Dynamics3d::remove(Space&, Row row) {
   by_row_[row].reset();
 }
 
-void Dynamics3d::place(Space& space, Row row) {
+void Dynamics3d::place(const Space& space, Row row) {
   const OdeLock lock(seed_);
   Body& body = *find(row);
   forgetHolds(body);

@@ -33,8 +33,8 @@
 
 #include "dynamics3d/body.hpp"
 #include "dynamics3d/bounds.hpp"
-#include "dynamics3d/contacts.hpp"
-#include "dynamics3d/islands.hpp"
+#include "dynamics3d/contacts/contacts.hpp"
+#include "dynamics3d/solver/islands.hpp"
 #include "swarmanoid_space/engine.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -61,21 +61,20 @@ class Dynamics3d final : public Engine {
 
   void configure(const std::string& id, const Configuration& parameters) override;
   void reconfigure(const Configuration& parameters) override;
-  void takeTerrain(const std::shared_ptr<const Terrain>& terrain) override;
+  void prepare(const EngineSurroundings& surroundings) override;
   std::string unsupportedClocktickReason(Duration clocktick) const override;
   std::string unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const override;
   std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const override;
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
-  std::string unsupportedGripReason(const Space&, Row) const override { return ""; }
   std::string unsupportedStateReason(const Space& space, Row row) const override;
-  void add(Space& space, Row row, Role role) override;
-  void remove(Space& space, Row row) override;
-  void place(Space& space, Row row) override;
+  void add(const Space& space, Row row, Role role) override;
+  void remove(const Space& space, Row row) override;
+  void place(const Space& space, Row row) override;
   void clear() override;
   void readMirrors(const Space& space) override;
-  void move(Space& space, Duration dt) override;
-  void connect(Space& space) override;
+  void move(const Space& space, const MoveAccess& access, Duration dt) override;
+  void connect(const Space& space, const ConnectAccess& access) override;
   bool mayHit(const RayBundle& rays) const override;
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
   bool blocks(Row row, const RayBundle& ray) const override;
@@ -109,8 +108,8 @@ class Dynamics3d final : public Engine {
   /// @param number of the step in the tick, from 0
   void stepOnce(int number, double step);
   void setDamping(bool is_damped);
-  void finishTick(Space& space);
-  void reportTrouble(Space& space);
+  void finishTick(const MoveAccess& access);
+  void reportTrouble(const ConnectAccess& access);
 
   // solving.cpp: each solver moves the bodies that are enabled
   void solveByIslands(double step);
@@ -140,23 +139,24 @@ class Dynamics3d final : public Engine {
   };
   double strengthOf(EntityModel::Holder::Kind kind) const;
   Surface findSurface(const Body& robot, const Segment& segment, bool is_magnetic) const;
-  void connectAttachments(Space& space, Body& robot);
-  void connectHold(Space& space, Body& robot, std::size_t holder);
-  void connectRope(Space& space, Body& robot, std::size_t holder, double dt);
-  void attach(Space& space, Body& robot, std::size_t holder, const Surface& surface, double length);
+  void connectAttachments(const Space& space, const ConnectAccess& access, Body& robot);
+  void connectHold(const Space& space, const ConnectAccess& access, Body& robot, std::size_t holder);
+  void connectRope(const Space& space, const ConnectAccess& access, Body& robot, std::size_t holder, double dt);
+  void attach(const Space& space, const ConnectAccess& access, Body& robot, std::size_t holder, const Surface& surface,
+              double length);
   void hold(Body& robot, std::size_t holder, Body& object, const Attachment& attachment);
-  void detach(Space& space, Body& robot, std::size_t holder, const std::string& why);
+  void detach(const Space& space, const ConnectAccess& access, Body& robot, std::size_t holder, const std::string& why);
   void takeOverAttachments(const Space& space, Body& body);
-  static void reportForces(Space& space, const Body& robot);
+  static void reportForces(const ConnectAccess& access, const Body& robot);
   void drawAttachments(EngineDrawing& drawing) const;  // drawing.cpp
 
   // gripping.cpp
   Body* findInReach(const Space& space, const Body& robot) const;
-  void grip(Space& space, Body& robot, Body& object);
+  void grip(const Space& space, const ConnectAccess& access, Body& robot, Body& object);
   void joinGripper(Body& robot, Body& object);
   void join(Grip& grip, Body& object);
   void takeOverGrips(const Space& space, Body& body);
-  void release(Space& space, Body& robot, const std::string& why);
+  void release(const Space& space, const ConnectAccess& access, Body& robot, const std::string& why);
   static void letGo(Grip& grip);
   /// Releases the holders of the body, and those of others that hold it.
   void forgetHolds(Body& body);

@@ -1,12 +1,13 @@
 // Phase `move`: from commands and forces to poses.
 #include <algorithm>
 
-#include "dynamics3d/arms.hpp"
 #include "dynamics3d/dynamics3d.hpp"
-#include "dynamics3d/flight.hpp"
-#include "dynamics3d/rope.hpp"
+#include "dynamics3d/mechanisms/arms.hpp"
+#include "dynamics3d/mechanisms/flight.hpp"
+#include "dynamics3d/mechanisms/rope.hpp"
+#include "dynamics3d/mechanisms/treels.hpp"
 #include "dynamics3d/steady_motion.hpp"
-#include "dynamics3d/treels.hpp"
+#include "swarmanoid_space/access.hpp"
 
 namespace swarmanoid::dynamics3d {
 
@@ -19,7 +20,7 @@ void Dynamics3d::readMirrors(const Space& space) {
   }
 }
 
-void Dynamics3d::move(Space& space, Duration dt) {
+void Dynamics3d::move(const Space& space, const MoveAccess& access, Duration dt) {
   const OdeLock lock(seed_);
   if (world_ == nullptr) {
     return;
@@ -39,7 +40,7 @@ void Dynamics3d::move(Space& space, Duration dt) {
   for (Body* body : left_out_) {
     takeIn(*body, settings_.subclock, step);
   }
-  finishTick(space);
+  finishTick(access);
 }
 
 namespace {
@@ -155,20 +156,21 @@ void Dynamics3d::setDamping(bool is_damped) {
   dWorldSetCFM(world_, is_damped ? kSoftness : kSoftness / kErrorReduction);
 }
 
-void Dynamics3d::reportTrouble(Space& space) {
+void Dynamics3d::reportTrouble(const ConnectAccess& access) {
   if (counts_.large > 0 && !has_reported_islands_) {
     has_reported_islands_ = true;
-    space.events.push_back({Event::Kind::kEngineTrouble, "", "",
-                            "dynamics3d '" + id_ + "': " + std::to_string(islands_.largestEver()) +
-                                " bodies touch, which is too many for an exact solution: forces spread among them over "
-                                "some steps; from now on this is only counted"});
+    access.events.push_back(
+        {Event::Kind::kEngineTrouble, "", "",
+         "dynamics3d '" + id_ + "': " + std::to_string(islands_.largestEver()) +
+             " bodies touch, which is too many for an exact solution: forces spread among them over "
+             "some steps; from now on this is only counted"});
   }
   if (counts_.iterative > 0 && !has_reported_trouble_) {
     has_reported_trouble_ = true;
-    space.events.push_back({Event::Kind::kEngineTrouble, "", "",
-                            "dynamics3d '" + id_ +
-                                "': the exact solver gave up, the iterative one made the step; from now on this is "
-                                "only counted"});
+    access.events.push_back({Event::Kind::kEngineTrouble, "", "",
+                             "dynamics3d '" + id_ +
+                                 "': the exact solver gave up, the iterative one made the step; from now on this is "
+                                 "only counted"});
   }
 }
 
@@ -188,22 +190,22 @@ EngineHealth Dynamics3d::health() const {
   return health;
 }
 
-void Dynamics3d::finishTick(Space& space) {
+void Dynamics3d::finishTick(const MoveAccess& access) {
   for (Body* body : order_) {
     if (body->is_dynamic) {
       body->pose = body->currentPose();
-      space.entities.pose[body->row] = body->pose;
-      space.entities.twist[body->row] = body->currentTwist();
+      access.pose[body->row] = body->pose;
+      access.twist[body->row] = body->currentTwist();
       if (body->model->wheels) {
-        turnWheels(*body, space.wheel_turns[body->row]);
+        turnWheels(*body, access.wheel_turns[body->row]);
       }
       if (!body->links.empty()) {
-        readLinks(*body, space.joints[body->row]);
-        body->poseShapes(space.joints[body->row]);
+        readLinks(*body, access.joints[body->row]);
+        body->poseShapes(access.joints[body->row]);
       }
       if (body->turret.isCommanded()) {
-        space.joints[body->row][body->turret.joint] = body->turret.state;
-        body->poseShapes(space.joints[body->row]);
+        access.joints[body->row][body->turret.joint] = body->turret.state;
+        body->poseShapes(access.joints[body->row]);
       }
     }
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics3d/treels.hpp"
+#include "dynamics3d/mechanisms/treels.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

@@ -104,7 +104,7 @@ double Kinematics2d::readAllCommands(const Space& space) {
   return fastest_squared;
 }
 
-void Kinematics2d::moveBlocks(Space& space, double step, double tick) {
+void Kinematics2d::moveBlocks(const Space& space, const MoveAccess& access, double step, double tick) {
   // In each piece of its way, a body that is pushed out may try poses beyond its target, by the length of the piece and
   // kMostPush more (contact.cpp). In total that is a step length and most_pieces_ pushes beyond the step length that is
   // counted already.
@@ -112,7 +112,7 @@ void Kinematics2d::moveBlocks(Space& space, double step, double tick) {
   const double room =
       is_in_turn ? std::numeric_limits<double>::infinity() : travelled_ + step_length_ + most_pieces_ * kMostPush;
   forBlocks([&](const Block& block) { findRoom(room, block); });
-  forBlocks([&](Block& block) { moveBlock(space, step, tick, room, block); });
+  forBlocks([&](Block& block) { moveBlock(space, access, step, tick, room, block); });
   for (const Block& block : blocks_) {
     all_.slide_allowance = std::max(all_.slide_allowance, block.slide_allowance);
     // other bodies change cells later, when they move: the order within a cell depends on blocks, so results must not
@@ -123,7 +123,8 @@ void Kinematics2d::moveBlocks(Space& space, double step, double tick) {
   }
 }
 
-void Kinematics2d::moveBlock(Space& space, double step, double tick, double room, Block& block) {
+void Kinematics2d::moveBlock(const Space& space, const MoveAccess& access, double step, double tick, double room,
+                             Block& block) {
   const bool is_whole_tick = subclock_ == 1;
   block.slide_allowance = 0.0;
   block.other_count = 0;
@@ -149,14 +150,14 @@ void Kinematics2d::moveBlock(Space& space, double step, double tick, double room
       strays_[block.first + block.stray_count++] = index;
     }
     if (is_whole_tick) {
-      finishBody(space, index, before, tick);
+      finishBody(space, access, index, before, tick);
     }
   }
 }
 
 /// Finishes the bodies of a tick. With one step a tick, bodies that moved with their block are finished already.
-void Kinematics2d::finishTick(Space& space, double tick) {
-  const auto finish = [&](BodyIndex index) { finishBody(space, index, motion(index).pose_at_start, tick); };
+void Kinematics2d::finishTick(const Space& space, const MoveAccess& access, double tick) {
+  const auto finish = [&](BodyIndex index) { finishBody(space, access, index, motion(index).pose_at_start, tick); };
   if (subclock_ == 1) {
     visitOthers(finish);
   } else {
@@ -168,18 +169,19 @@ void Kinematics2d::finishTick(Space& space, double tick) {
   std::for_each(idle_.begin(), idle_.end(), finish);
 }
 
-void Kinematics2d::finishBody(Space& space, BodyIndex index, const planar::PlanarPose& before, double tick) const {
+void Kinematics2d::finishBody(const Space& space, const MoveAccess& access, BodyIndex index,
+                              const planar::PlanarPose& before, double tick) const {
   const Body& body = bodies_[index];
   if (!body.is_movable) {
     return;
   }
-  turnWheels(space, body, tick);
-  Twist& twist = space.entities.twist[body.row];
+  turnWheels(space, access, body, tick);
+  Twist& twist = access.twist[body.row];
   if (!body.has_moved) {
     twist = Twist{};
     return;
   }
-  writePose(space, index, before.heading);
+  writePose(access, index, before.heading);
   const planar::Plane& plane = bodies_.plane();
   const double turn = wrapAngle(body.pose.heading - before.heading);
   const Eigen::Vector2d mean = (body.pose.position - before.position) / tick;

@@ -5,7 +5,7 @@
 
 namespace swarmanoid::kinematics2d {
 
-void Kinematics2d::connect(Space& space) {
+void Kinematics2d::connect(const Space& space, const ConnectAccess& access) {
   listBodies();
   for (const BodyIndex index : grippers_) {
     const Body& body = bodies_[index];
@@ -14,12 +14,12 @@ void Kinematics2d::connect(Space& space) {
     }
     if (!isGripperClosed(space, body)) {
       if (motion(index).gripped != kNoBody) {
-        release(space, index);
+        release(space, access, index);
       }
     } else if (mayGrip(index)) {
       const BodyIndex found = findGrippable(index);
       if (found != kNoBody) {
-        grip(space, index, found);
+        grip(space, access, index, found);
       }
     }
   }
@@ -47,12 +47,13 @@ bool Kinematics2d::mayBeGripped(BodyIndex index) const {
   return body.entity->is_robot ? !body.entity->wheels && !body.flies : motion(index).gripped_by == kNoBody;
 }
 
-void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex gripped_index) {
+void Kinematics2d::grip(const Space& space, const ConnectAccess& access, BodyIndex gripper_index,
+                        BodyIndex gripped_index) {
   const Row gripper = bodies_[gripper_index].row;
   const Row gripped = bodies_[gripped_index].row;
-  if (space.structure.connect(gripper, gripped)) {
+  if (access.structure.connect(gripper, gripped)) {
     join(gripper_index, gripped_index);
-    reportGrip(space, Event::Kind::kAttached, gripper, gripped);
+    reportGrip(space, access, Event::Kind::kAttached, gripper, gripped);
   }
 }
 
@@ -75,8 +76,10 @@ void Kinematics2d::join(BodyIndex gripper_index, BodyIndex gripped_index) {
   }
 }
 
-std::string Kinematics2d::unsupportedGripReason(const Space& space, Row gripper) const {
-  const Row gripped = space.structure.grippedBy(gripper);
+namespace {
+
+/// Reason why a grip cannot be held; "" if it can.
+std::string unsupportedGripReason(const Space& space, Row gripped) {
   const EntityModel& model = *space.entities.model[gripped];
   const std::string name = "'" + space.entities.name[gripped] + "'";
   if (model.is_robot && (model.wheels || space.flight[gripped].is_driven)) {
@@ -87,6 +90,14 @@ std::string Kinematics2d::unsupportedGripReason(const Space& space, Row gripper)
   }
   const bool is_shared = !model.is_robot && space.structure.grippersOf(gripped).size() > 1;
   return is_shared ? "is not alone in gripping " + name + ", which this engine cannot hold" : "";
+}
+
+}  // namespace
+
+std::string Kinematics2d::unsupportedStateReason(const Space& space, Row row) const {
+  const Row gripped = space.structure.grippedBy(row);
+  const std::string problem = gripped == kNoRow ? "" : unsupportedGripReason(space, gripped);
+  return problem.empty() ? PlanarEngine::unsupportedStateReason(space, row) : problem;
 }
 
 void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {
@@ -101,10 +112,10 @@ void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {
   });
 }
 
-void Kinematics2d::release(Space& space, BodyIndex gripper_index) {
+void Kinematics2d::release(const Space& space, const ConnectAccess& access, BodyIndex gripper_index) {
   const Row gripper = bodies_[gripper_index].row;
-  reportGrip(space, Event::Kind::kReleased, gripper, bodies_[motion(gripper_index).gripped].row);
-  space.structure.release(gripper);
+  reportGrip(space, access, Event::Kind::kReleased, gripper, bodies_[motion(gripper_index).gripped].row);
+  access.structure.release(gripper);
   letGo(gripper_index);
 }
 

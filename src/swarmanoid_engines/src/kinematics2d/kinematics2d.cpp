@@ -17,7 +17,7 @@ PluginDescription Kinematics2d::describe() {
   return description;
 }
 
-void Kinematics2d::add(Space& space, Row row, Role role) {
+void Kinematics2d::add(const Space& space, Row row, Role role) {
   const BodyIndex index = bodies_.add(space, row, role);
   motions_.resize(std::max(motions_.size(), static_cast<std::size_t>(index) + 1));
   clearances_.resize(motions_.size());
@@ -30,7 +30,7 @@ void Kinematics2d::add(Space& space, Row row, Role role) {
   are_lists_old_ = true;
 }
 
-void Kinematics2d::remove(Space&, Row row) {
+void Kinematics2d::remove(const Space&, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   bodies_.remove(index);
@@ -38,7 +38,7 @@ void Kinematics2d::remove(Space&, Row row) {
   are_lists_old_ = true;
 }
 
-void Kinematics2d::place(Space& space, Row row) {
+void Kinematics2d::place(const Space& space, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   bodies_.place(space, index);

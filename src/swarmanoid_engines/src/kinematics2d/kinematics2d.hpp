@@ -68,10 +68,10 @@ class Kinematics2d final : public planar::PlanarEngine {
  public:
   static PluginDescription describe();
 
-  std::string unsupportedGripReason(const Space& space, Row gripper) const override;
-  void add(Space& space, Row row, Role role) override;
-  void remove(Space& space, Row row) override;
-  void place(Space& space, Row row) override;
+  std::string unsupportedStateReason(const Space& space, Row row) const override;
+  void add(const Space& space, Row row, Role role) override;
+  void remove(const Space& space, Row row) override;
+  void place(const Space& space, Row row) override;
   void clear() override {
     bodies_.clear();
     motions_.clear();
@@ -80,8 +80,8 @@ class Kinematics2d final : public planar::PlanarEngine {
     is_somebody_new_ = true;
     are_lists_old_ = true;
   }
-  void takeWorkers(const Parallel& workers) override {
-    workers_ = &workers;
+  void prepare(const EngineSurroundings& surroundings) override {
+    workers_ = surroundings.workers;
     are_lists_old_ = true;
   }
   /// Smallest number of bodies that a thread moves, if there are several threads; 0: all bodies move one after another.
@@ -91,8 +91,8 @@ class Kinematics2d final : public planar::PlanarEngine {
     are_lists_old_ = true;
   }
   void readMirrors(const Space& space) override;
-  void move(Space& space, Duration dt) override;
-  void connect(Space& space) override;
+  void move(const Space& space, const MoveAccess& access, Duration dt) override;
+  void connect(const Space& space, const ConnectAccess& access) override;
   bool mayHit(const RayBundle& rays) const override;
   void findObstacles(const RayBundle& rays, Obstacles& found) const override;
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
@@ -128,10 +128,11 @@ class Kinematics2d final : public planar::PlanarEngine {
   }
   /// Whether a body may move with its block: undriven bodies may be carried, and the grid does not hold large ones.
   static bool movesByItself(const Body& body) { return body.isDriven() && !body.is_large; }
-  void moveBlocks(Space& space, double step, double tick);
-  void moveBlock(Space& space, double step, double tick, double room, Block& block);
-  void finishTick(Space& space, double tick);
-  void finishBody(Space& space, BodyIndex index, const planar::PlanarPose& before, double tick) const;
+  void moveBlocks(const Space& space, const MoveAccess& access, double step, double tick);
+  void moveBlock(const Space& space, const MoveAccess& access, double step, double tick, double room, Block& block);
+  void finishTick(const Space& space, const MoveAccess& access, double tick);
+  void finishBody(const Space& space, const MoveAccess& access, BodyIndex index, const planar::PlanarPose& before,
+                  double tick) const;
   /// Calls visit(index) for the bodies that did not move with their block in this step, by entity number.
   template <class Visit>
   void visitOthers(Visit visit) const {
@@ -229,7 +230,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   bool tryTurned(planar::Turret& turret, const PlacedPose& pose, double angle);
   planar::PlanarPose placeOfHeld(const planar::Turret& turret, double angle) const;
   double trailingAngle(const planar::Turret& turret, const PlacedPose& pose) const;
-  void finishTurrets(Space& space, double dt);
+  void finishTurrets(const MoveAccess& access, double dt);
 
   bool areAllOutOfReach(const RayBundle& rays) const;
   BodyIndex casterOf(const RayBundle& rays) const;
@@ -246,10 +247,10 @@ class Kinematics2d final : public planar::PlanarEngine {
   BodyIndex findGrippable(BodyIndex gripper) const;
   bool mayGrip(BodyIndex index) const;
   bool mayBeGripped(BodyIndex index) const;
-  void grip(Space& space, BodyIndex gripper, BodyIndex gripped);
+  void grip(const Space& space, const ConnectAccess& access, BodyIndex gripper, BodyIndex gripped);
   void join(BodyIndex gripper, BodyIndex gripped);
   void takeOverGrips(const Space& space, BodyIndex index);
-  void release(Space& space, BodyIndex gripper);
+  void release(const Space& space, const ConnectAccess& access, BodyIndex gripper);
   void letGo(BodyIndex gripper);
   void forgetGrips(BodyIndex index);
   /// The body that a body grips, or else itself.

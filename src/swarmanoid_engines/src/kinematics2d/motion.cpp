@@ -22,14 +22,14 @@ void Kinematics2d::readMirrors(const Space& space) {
   }
 }
 
-void Kinematics2d::move(Space& space, Duration dt) {
+void Kinematics2d::move(const Space& space, const MoveAccess& access, Duration dt) {
   const double tick = toSeconds(dt);
   const double step = tick / subclock_;
   startTick(space, step);
   for (int i = 0; i < subclock_; ++i) {
     travelled_ += step_length_;
     all_.slide_allowance = 0.0;
-    moveBlocks(space, step, tick);
+    moveBlocks(space, access, step, tick);
     visitOthers([&](BodyIndex index) {
       if (!isInGroup(index)) {
         moveBody(index, step, all_);
@@ -42,8 +42,8 @@ void Kinematics2d::move(Space& space, Duration dt) {
     }
     travelled_ += all_.slide_allowance;
   }
-  finishTick(space, tick);
-  finishTurrets(space, tick);
+  finishTick(space, access, tick);
+  finishTurrets(access, tick);
 }
 
 void Kinematics2d::startTick(const Space& space, double step) {

@@ -83,11 +83,11 @@ double Kinematics2d::trailingAngle(const Turret& turret, const PlacedPose& pose)
   return wrapTurn(turret.state.angle + turret.sense * (swung - (pose.heading - before.heading)));
 }
 
-void Kinematics2d::finishTurrets(Space& space, double dt) {
+void Kinematics2d::finishTurrets(const MoveAccess& access, double dt) {
   for (Turret& turret : bodies_.turrets()) {
     turret.state.speed = wrapTurn(turret.state.angle - turret.angle_at_start) / dt;
     turret.state.effort = 0.0;
-    space.joints[bodies_[turret.body].row][turret.joint] = turret.state;
+    access.joints[bodies_[turret.body].row][turret.joint] = turret.state;
   }
 }
 

@@ -78,7 +78,7 @@ std::string PlanarEngine::unsupportedStateReason(const Space& space, Row row) co
       return "its joint '" + model.joints[i].name + "' is not at zero";
     }
   }
-  return Engine::unsupportedStateReason(space, row);
+  return unsupportedAttachmentReason(space, row);
 }
 
 std::string PlanarEngine::invalidPoseReason(const EntityModel& model, const Pose& pose) const {

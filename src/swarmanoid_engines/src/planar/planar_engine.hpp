@@ -6,6 +6,7 @@
 
 #include "planar/bodies.hpp"
 #include "swarmanoid_interface/expects.hpp"
+#include "swarmanoid_space/access.hpp"
 #include "swarmanoid_space/engine.hpp"
 
 namespace swarmanoid::planar {
@@ -40,10 +41,10 @@ class PlanarEngine : public Engine {
   static void readCommands(const Space& space, Body& body);
 
   /// Wheels turn at the commanded speed even if the robot is blocked; then they slip. @param tick [s]
-  static void turnWheels(Space& space, const Body& body, double tick);
+  static void turnWheels(const Space& space, const MoveAccess& access, const Body& body, double tick);
 
   /// Writes the pose of a body that has moved in this tick. A body that did not turn keeps its orientation bit for bit.
-  void writePose(Space& space, BodyIndex index, double heading_before) const;
+  void writePose(const MoveAccess& access, BodyIndex index, double heading_before) const;
 
   Bodies bodies_;
   int subclock_ = 1;
@@ -67,18 +68,18 @@ inline void PlanarEngine::readCommands(const Space& space, Body& body) {
   }
 }
 
-inline void PlanarEngine::turnWheels(Space& space, const Body& body, double tick) {
+inline void PlanarEngine::turnWheels(const Space& space, const MoveAccess& access, const Body& body, double tick) {
   if (body.is_wheeled) {
     const WheelsCommand& speeds = space.wheels[body.row];
-    WheelTurns& turns = space.wheel_turns[body.row];
+    WheelTurns& turns = access.wheel_turns[body.row];
     turns.left += speeds.left * tick;
     turns.right += speeds.right * tick;
   }
 }
 
-inline void PlanarEngine::writePose(Space& space, BodyIndex index, double heading_before) const {
+inline void PlanarEngine::writePose(const MoveAccess& access, BodyIndex index, double heading_before) const {
   const Body& body = bodies_[index];
-  Pose& pose = space.entities.pose[body.row];
+  Pose& pose = access.pose[body.row];
   pose.position = bodies_.plane().toGlobal(body.pose.position, body.along);
   if (body.pose.heading != heading_before) {
     pose.orientation = bodies_.plane().orientation(body.pose.heading, bodies_.details(index).base);

@@ -31,8 +31,8 @@ class ApproachTest : public testing::TestWithParam<std::tuple<double, double, in
     for (int i = 0; i < ticks; ++i) {
       world.engine.readMirrors(world.space);
       test::carryOut(world.space);
-      world.engine.move(world.space, std::chrono::nanoseconds(std::llround(1e9 * dt())));
-      world.engine.connect(world.space);
+      world.engine.move(world.space, MoveAccess(world.space), std::chrono::nanoseconds(std::llround(1e9 * dt())));
+      world.engine.connect(world.space, ConnectAccess(world.space));
       deepest = std::max(deepest, deepestOverlap(world.space, rows));
     }
   }

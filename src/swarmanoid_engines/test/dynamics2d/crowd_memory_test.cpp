@@ -1,5 +1,5 @@
 // Crowds under pressure start each tick from the contact forces of the last one.
-#include "dynamics2d/crowd_memory.hpp"
+#include "dynamics2d/solver/crowd_memory.hpp"
 
 #include <gtest/gtest.h>
 

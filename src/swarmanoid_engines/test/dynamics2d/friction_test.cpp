@@ -62,8 +62,8 @@ class Slider {
   }
   void tick(std::chrono::microseconds dt) {
     test::carryOut(world.space);
-    world.engine.move(world.space, dt);
-    world.engine.connect(world.space);
+    world.engine.move(world.space, MoveAccess(world.space), dt);
+    world.engine.connect(world.space, ConnectAccess(world.space));
   }
   Motion motion() const {
     const Twist& twist = world.twist(footbot);

@@ -19,8 +19,8 @@ constexpr double kDeepest = 0.6e-3;  // m: the limit in engines.md
 void tick(World& world, double seconds) {
   world.engine.readMirrors(world.space);
   test::carryOut(world.space);
-  world.engine.move(world.space, std::chrono::nanoseconds(std::llround(1e9 * seconds)));
-  world.engine.connect(world.space);
+  world.engine.move(world.space, MoveAccess(world.space), std::chrono::nanoseconds(std::llround(1e9 * seconds)));
+  world.engine.connect(world.space, ConnectAccess(world.space));
 }
 
 Row addEyebot(World& world, double x, double y, double heading = 0.0) {

@@ -102,8 +102,8 @@ template <class TestWorld>
 void tick(TestWorld& world, int milliseconds) {
   test::carryOut(world.space);
   world.engine.readMirrors(world.space);
-  world.engine.move(world.space, std::chrono::milliseconds(milliseconds));
-  world.engine.connect(world.space);
+  world.engine.move(world.space, MoveAccess(world.space), std::chrono::milliseconds(milliseconds));
+  world.engine.connect(world.space, ConnectAccess(world.space));
 }
 
 class OffCentrePushTest : public testing::TestWithParam<Steps> {

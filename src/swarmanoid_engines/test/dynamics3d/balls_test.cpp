@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "dynamics3d/balls.hpp"
-#include "dynamics3d/solids.hpp"
+#include "dynamics3d/collision/balls.hpp"
+#include "dynamics3d/collision/solids.hpp"
 #include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "world.hpp"
 

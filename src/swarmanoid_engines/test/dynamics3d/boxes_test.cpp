@@ -1,5 +1,5 @@
 // Contacts of two boxes, against the gaps along all axes of the separating axis theorem, by brute force.
-#include "dynamics3d/boxes.hpp"
+#include "dynamics3d/collision/boxes.hpp"
 
 #include <gtest/gtest.h>
 

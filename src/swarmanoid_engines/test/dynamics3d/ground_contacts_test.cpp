@@ -1,5 +1,5 @@
 // Contacts with rough ground, against geometry; rays, against ODE's own heightfield.
-#include "dynamics3d/ground_contacts.hpp"
+#include "dynamics3d/contacts/ground_contacts.hpp"
 
 #include <gtest/gtest.h>
 

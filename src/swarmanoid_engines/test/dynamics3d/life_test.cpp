@@ -1,7 +1,7 @@
 // Entities that the engine refuses, and changes between ticks.
 #include <gtest/gtest.h>
 
-#include "dynamics3d/convex_overlap.hpp"
+#include "dynamics3d/collision/convex_overlap.hpp"
 #include "swarmanoid_experiment_files/robots/robot_model.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
 #include "world.hpp"

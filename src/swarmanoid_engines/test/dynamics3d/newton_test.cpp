@@ -1,5 +1,5 @@
 // Islands of few bodies: momentum is balanced, contacts only push, and friction is Coulomb's, for any contacts.
-#include "dynamics3d/newton.hpp"
+#include "dynamics3d/solver/newton.hpp"
 
 #include <gtest/gtest.h>
 

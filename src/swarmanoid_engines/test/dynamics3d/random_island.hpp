@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "dynamics3d/contact_row.hpp"
+#include "dynamics3d/solver/contact_row.hpp"
 
 namespace swarmanoid::dynamics3d {
 

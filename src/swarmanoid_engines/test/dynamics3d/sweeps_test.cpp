@@ -1,5 +1,5 @@
 // Islands of many bodies: momentum is balanced, contacts only push, and sweeps come near to Coulomb's law.
-#include "dynamics3d/sweeps.hpp"
+#include "dynamics3d/solver/sweeps.hpp"
 
 #include <gtest/gtest.h>
 

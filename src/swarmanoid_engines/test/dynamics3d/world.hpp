@@ -52,7 +52,7 @@ class World {
   /// Must be called before entities are added.
   void setTerrain(std::shared_ptr<const Terrain> terrain) {
     space.terrain = std::move(terrain);
-    engine.takeTerrain(space.terrain);
+    engine.prepare({space.terrain, nullptr});
   }
 
   Row addToSpace(const std::shared_ptr<const EntityModel>& model, const Pose& pose) {
@@ -117,8 +117,8 @@ class World {
       space.events.clear();
       test::carryOut(space);
       engine.readMirrors(space);
-      engine.move(space, space.clocktick);
-      engine.connect(space);
+      engine.move(space, MoveAccess(space), space.clocktick);
+      engine.connect(space, ConnectAccess(space));
       ++space.tick;
     }
   }

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "external_command.hpp"
-#include "recording_program.hpp"
-#include "standard_output.hpp"
+#include "commands/external_command.hpp"
+#include "output/standard_output.hpp"
+#include "processes/recording_program.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/process/last_seconds.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"

@@ -19,7 +19,7 @@ namespace swarmanoid::test {
 void perform(const std::string& action);
 
 /// Makes a space available to the action "spoil_state".
-void expose(Space& space);
+void expose(const Space& space);
 
 /// All names of actions, sorted.
 std::vector<std::string> actions();

@@ -32,7 +32,9 @@ class MisbehavingActuator final : public ActuatorOf<FootbotLeds> {
   static PluginDescription describe() { return describeDevice(FootbotLeds::kType); }
 
   void configure(const Configuration& parameters) override { misbehaviour_.configure(parameters); }
-  void actuate(Space& space, std::vector<Row>&) override { misbehaviour_.tryIn("actuate", space.tick); }
+  void actuate(const Space& space, const ActuateAccess& access, std::vector<Row>&) override {
+    misbehaviour_.tryIn("actuate", space.tick);
+  }
   void afterMove(Space& space) override { misbehaviour_.tryIn("afterMove", space.tick); }
 
  private:

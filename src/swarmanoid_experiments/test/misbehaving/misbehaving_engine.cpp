@@ -20,12 +20,12 @@ class MisbehavingEngine final : public GlideEngine {
     return "";
   }
   void readMirrors(const Space& space) override { misbehaviour_.tryIn("readMirrors", space.tick); }
-  void move(Space& space, Duration dt) override {
-    GlideEngine::move(space, dt);
+  void move(const Space& space, const MoveAccess& access, Duration dt) override {
+    GlideEngine::move(space, access, dt);
     expose(space);
     misbehaviour_.tryIn("move", space.tick);
   }
-  void connect(Space& space) override { misbehaviour_.tryIn("connect", space.tick); }
+  void connect(const Space& space, const ConnectAccess&) override { misbehaviour_.tryIn("connect", space.tick); }
 
  private:
   Misbehaviour misbehaviour_;

@@ -41,6 +41,7 @@ class PerformanceMeter {
       message.move = sum_.move / ticks_;
       message.connect = sum_.connect / ticks_;
       message.index = sum_.index / ticks_;
+      message.power = sum_.power / ticks_;
       message.rule = sum_.rule / ticks_;
       message.show = sum_.show / ticks_;
       for (std::size_t i = 0; i < sum_.engines.size(); ++i) {

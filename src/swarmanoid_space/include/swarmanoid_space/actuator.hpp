@@ -25,6 +25,7 @@
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/safe_stop.hpp"
+#include "swarmanoid_space/access.hpp"
 #include "swarmanoid_space/device_description.hpp"
 #include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
@@ -60,15 +61,18 @@ class Actuator {
 
   /// Turns commands into actuation. Adds the rows of commands with a number that is not finite to `faulty`; their
   /// actuation keeps its previous value.
-  virtual void actuate(Space& space, std::vector<Row>& faulty) = 0;
+  virtual void actuate(const Space& space, const ActuateAccess& access, std::vector<Row>& faulty) = 0;
   /// The same on many threads, for actuators that handle each robot independently (ActuatorOf::is_by_robot_).
-  virtual void actuate(Space& space, std::vector<Row>& faulty, const Parallel& /*workers*/) { actuate(space, faulty); }
+  virtual void actuate(const Space& space, const ActuateAccess& access, std::vector<Row>& faulty,
+                       const Parallel& /*workers*/) {
+    actuate(space, access, faulty);
+  }
   /// Called after the engines have moved: updates data that depend on the new poses, such as the end of a laser beam.
-  virtual void afterMove(Space&) {}
+  virtual void afterMove(const Space& /*space*/, const AfterMoveAccess& /*access*/) {}
   /// Replaces the robot's command by that of its safe stop and carries it out at once. Starts from the last finite
   /// command. Errors of <error> elements and faults act on it too.
   /// @return whether the stop is over: the command no longer changes
-  virtual bool stop(Space& space, Row row, const SafeStopMoment& moment) = 0;
+  virtual bool stop(const Space& space, const ActuateAccess& access, Row row, const SafeStopMoment& moment) = 0;
 
   /// Draws the actuators of the robots that the drawing is for. Changes nothing.
   virtual void draw(const Space& /*space*/, DeviceDrawing& /*drawing*/) const {}
@@ -111,7 +115,7 @@ class ActuatorOf : public Actuator {
     instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
     prepareInstance(space, instance);
     Device* command = instance.command;
-    apply(space, instance);  // its mechanisms are commanded from now on, at rest
+    apply(space, ActuateAccess(space), instance);  // its mechanisms are commanded from now on, at rest
     instances_.push_back(std::move(instance));
     if (!errors_.isEmpty()) {
       error_states_.push_back({row, errors_.makeState(space.seed, space.entities.name[row], 0)});
@@ -164,18 +168,21 @@ class ActuatorOf : public Actuator {
     }
   }
 
-  void actuate(Space& space, std::vector<Row>& faulty) override { actuateRange(space, faulty, 0, instances_.size()); }
+  void actuate(const Space& space, const ActuateAccess& access, std::vector<Row>& faulty) override {
+    actuateRange(space, access, faulty, 0, instances_.size());
+  }
 
-  void actuate(Space& space, std::vector<Row>& faulty, const Parallel& workers) override {
+  void actuate(const Space& space, const ActuateAccess& access, std::vector<Row>& faulty,
+               const Parallel& workers) override {
     if (!is_by_robot_) {
-      actuate(space, faulty);
+      actuate(space, access, faulty);
       return;
     }
     constexpr std::size_t kGrain = 512;
     std::mutex mutex;  // guards `faulty`, which is rarely written
     workers.forRanges(instances_.size(), kGrain, [&](std::size_t first, std::size_t last) {
       std::vector<Row> found;
-      actuateRange(space, found, first, last);
+      actuateRange(space, access, found, first, last);
       if (!found.empty()) {
         const std::lock_guard<std::mutex> lock(mutex);
         faulty.insert(faulty.end(), found.begin(), found.end());
@@ -183,7 +190,7 @@ class ActuatorOf : public Actuator {
     });
   }
 
-  bool stop(Space& space, Row row, const SafeStopMoment& moment) override {
+  bool stop(const Space& space, const ActuateAccess& access, Row row, const SafeStopMoment& moment) override {
     bool is_over = true;
     for (std::size_t k = 0; k < instances_.size(); ++k) {
       Instance& instance = instances_[k];
@@ -205,7 +212,7 @@ class ActuatorOf : public Actuator {
         } else {
           detail::stop(*instance.actuation, moment);
         }
-        apply(space, instance);
+        apply(space, access, instance);
       }
     }
     return is_over;
@@ -234,7 +241,7 @@ class ActuatorOf : public Actuator {
   virtual void limit(const Space&, Instance&) {}
   /// Passes the actuation on to the mechanisms (state/mechanisms.hpp), LEDs or radio tags. Called in each tick, and at
   /// rest when an instance is added.
-  virtual void apply(Space&, Instance&) {}
+  virtual void apply(const Space&, const ActuateAccess&, Instance&) {}
   /// Draws the actuator of one robot (device_drawing.hpp). The default draws nothing.
   virtual void drawOne(const Space&, const Instance&, DeviceDrawing&) const {}
 
@@ -250,14 +257,15 @@ class ActuatorOf : public Actuator {
     ErrorState errors;
   };
 
-  void actuateRange(Space& space, std::vector<Row>& faulty, std::size_t first, std::size_t last) {
+  void actuateRange(const Space& space, const ActuateAccess& access, std::vector<Row>& faulty, std::size_t first,
+                    std::size_t last) {
     if (errors_.isEmpty() && fault_count_ == 0) {
-      actuateEach(space, faulty, first, last, [](std::size_t) {});
+      actuateEach(space, access, faulty, first, last, [](std::size_t) {});
     } else if (fault_count_ == 0) {
-      actuateEach(space, faulty, first, last,
+      actuateEach(space, access, faulty, first, last,
                   [&](std::size_t k) { errors_.apply(instances_[k].actuation, error_states_[k].errors, space.tick); });
     } else {
-      actuateEach(space, faulty, first, last, [&](std::size_t k) {
+      actuateEach(space, access, faulty, first, last, [&](std::size_t k) {
         if (!errors_.isEmpty()) {
           errors_.apply(instances_[k].actuation, error_states_[k].errors, space.tick);
         }
@@ -270,7 +278,8 @@ class ActuatorOf : public Actuator {
 
   /// @param disturb called with the index of an instance, after its command was copied to its actuation
   template <class Disturb>
-  void actuateEach(Space& space, std::vector<Row>& faulty, std::size_t first, std::size_t last, Disturb disturb) {
+  void actuateEach(const Space& space, const ActuateAccess& access, std::vector<Row>& faulty, std::size_t first,
+                   std::size_t last, Disturb disturb) {
     for (std::size_t k = first; k < last; ++k) {
       Instance& instance = instances_[k];
       if (isFinite(*instance.command)) {
@@ -280,7 +289,7 @@ class ActuatorOf : public Actuator {
       } else {
         faulty.push_back(instance.row);
       }
-      apply(space, instance);
+      apply(space, access, instance);
     }
   }
 

@@ -23,6 +23,7 @@
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/access.hpp"
 #include "swarmanoid_space/device_description.hpp"
 #include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
@@ -68,7 +69,7 @@ class Sensor {
     }
   }
   /// Called on one thread after all ranges are sensed; reports events such as an overflow.
-  virtual void report(Space&) {}
+  virtual void report(const Space& /*space*/, const ReportAccess& /*access*/) {}
 
   /// Draws the sensors of the robots that the drawing is for. Changes nothing.
   virtual void draw(const Space& /*space*/, DeviceDrawing& /*drawing*/) const {}

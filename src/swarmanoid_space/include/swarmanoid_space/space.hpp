@@ -95,54 +95,51 @@ class Space {
   // The world. Data with one value per entity are columns (state/column.hpp), which name the phase that writes them.
   Entities entities;
   /// The colours of the LEDs of the model, LED 0 first.
-  ListColumn<Color> leds{entities.columns, {"led", Writer::kActuate, Visits::kHash}, [](const EntityModel& model) {
-                           return model.led_positions.size();
-                         }};
+  ListColumn<Color, WrittenIn::kActuate> leds{
+      entities.columns, {"led", Visits::kHash}, [](const EntityModel& model) { return model.led_positions.size(); }};
   StructuralTree structure{entities.columns};
   /// The joints of the model, in its order.
-  ListColumn<JointState> joints{entities.columns,
-                                {"joint", Writer::kMove, Visits::kHash},
-                                [](const EntityModel& model) { return model.joints.size(); }};
+  ListColumn<JointState, WrittenIn::kMove> joints{
+      entities.columns, {"joint", Visits::kHash}, [](const EntityModel& model) { return model.joints.size(); }};
   /// Follows from the commands, so it is not in the state hash; readings derived from it are in the deep hash.
-  Column<WheelTurns> wheel_turns{entities.columns, {"wheel_turns", Writer::kMove}};
+  Column<WheelTurns, WrittenIn::kMove | WrittenIn::kConnect> wheel_turns{entities.columns, {"wheel_turns"}};
   Attachments attachments{entities};
   /// The properties of the model, in its order. Writers of radio tags change the data of tags (kTagData) in `actuate`;
   /// `power` writes the properties of robots with a battery.
-  ListColumn<double> properties{
+  ListColumn<double, WrittenIn::kActuate | WrittenIn::kPower> properties{
       entities.columns,
-      {"property", Writer::kBetweenTicks, Visits::kHash},
+      {"property", Visits::kHash},
       [](const EntityModel& model) { return model.properties.size(); },
       [](const EntityModel& model, std::size_t place) { return model.properties[place].initial; }};
   /// A look-up by name, for sensors, once per entity: few models have properties, and these have few names to compare.
   /// @return nothing if the entity has no such property
   std::optional<double> property(Row row, std::string_view name) const;
   /// One value for a robot with a battery, none for other entities.
-  ListColumn<BatteryState> batteries{entities.columns,
-                                     {"battery", Writer::kPower, Visits::kHash},
-                                     [](const EntityModel& model) { return std::size_t{model.battery ? 1U : 0U}; }};
+  ListColumn<BatteryState, WrittenIn::kPower> batteries{
+      entities.columns, {"battery", Visits::kHash}, [](const EntityModel& model) {
+        return std::size_t{model.battery ? 1U : 0U};
+      }};
   /// The colour of the entity's own surface or light as cameras see it; black for a lamp of kIntensity 0.
   Color ownColor(Row row) const;
 
   // Commands of the robots' mechanisms; joints and holders in the order of the model.
-  Column<WheelsCommand> wheels{entities.columns, {"wheels", Writer::kActuate}};
-  Column<FlightCommand> flight{entities.columns, {"flight", Writer::kActuate}};
-  ListColumn<JointCommand> joint_commands{entities.columns,
-                                          {"joint_command", Writer::kActuate},
-                                          [](const EntityModel& model) { return model.joints.size(); }};
-  ListColumn<HolderCommand> holder_commands{entities.columns,
-                                            {"holder_command", Writer::kActuate},
-                                            [](const EntityModel& model) { return model.holders.size(); }};
+  Column<WheelsCommand, WrittenIn::kActuate> wheels{entities.columns, {"wheels"}};
+  Column<FlightCommand, WrittenIn::kActuate> flight{entities.columns, {"flight"}};
+  ListColumn<JointCommand, WrittenIn::kActuate> joint_commands{
+      entities.columns, {"joint_command"}, [](const EntityModel& model) { return model.joints.size(); }};
+  ListColumn<HolderCommand, WrittenIn::kActuate> holder_commands{
+      entities.columns, {"holder_command"}, [](const EntityModel& model) { return model.holders.size(); }};
 
   /// First tick after the last teleport (start, spawn, move). Readings that compare two ticks are undefined in it.
-  Column<std::uint64_t> placed{entities.columns, {"placed", Writer::kBetweenTicks}};
+  Column<std::uint64_t> placed{entities.columns, {"placed"}};
   /// null: no engine moves the entity
-  Column<Engine*> mover{entities.columns, {"engine", Writer::kConnect, Visits::kHash}};
+  Column<Engine*, WrittenIn::kConnect> mover{entities.columns, {"engine", Visits::kHash}};
   /// 1: the entity's origin is outside the arena
-  Column<char> outside{entities.columns, {"outside", Writer::kIndex, Visits::kRecordings}};
+  Column<char, WrittenIn::kIndex> outside{entities.columns, {"outside", Visits::kRecordings}};
   /// null: the entity has no controller
-  Column<std::unique_ptr<Robot>> robots{entities.columns, {"robot", Writer::kBetweenTicks}};
+  Column<std::unique_ptr<Robot>> robots{entities.columns, {"robot"}};
   /// Written in `control`; a failure also in `actuate`.
-  Column<ControllerState> controllers{entities.columns, {"controller", Writer::kControl}};
+  Column<ControllerState, WrittenIn::kControl | WrittenIn::kActuate> controllers{entities.columns, {"controller"}};
 
   PositionalIndex index;               ///< index; the state at the end of the last tick
   std::vector<LaserSpot> laser_spots;  ///< connect; in the order of actuators, then of entities

@@ -18,7 +18,7 @@
 namespace swarmanoid {
 
 struct Assembly {
-  Assembly(int threads, Columns& columns) : workers(threads), memberships(columns, {"memberships", Writer::kConnect}) {}
+  Assembly(int threads, Columns& columns) : workers(threads), memberships(columns, {"memberships"}) {}
 
   Workers workers;
   std::vector<Named<Engine>> engines;

@@ -71,9 +71,11 @@ auto Handover::call(const char* phase, const Engine& engine, Action action) cons
   return callPlugin(phase, partOf(engines_, engine), space_.tick, action);
 }
 
-Handover::Handover(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
-                   ByRow<std::vector<Membership>>& memberships, Row row, Engine& target)
+Handover::Handover(const Space& space, const HandOverAccess& access, const std::vector<Named<Engine>>& engines,
+                   const std::vector<RobotInstance>& instances, ByRow<std::vector<Membership>>& memberships, Row row,
+                   Engine& target)
     : space_(space),
+      access_(access),
       engines_(engines),
       instances_(instances),
       memberships_(memberships),
@@ -111,9 +113,6 @@ std::string Handover::problemOf(Row member) const {
   if (problem.empty()) {
     problem = unsupportedReasonOf(target_, model, devicesOf(groupOf(instances_, member)), memberships_[member]);
   }
-  if (problem.empty() && space_.structure.grippedBy(member) != kNoRow) {
-    problem = target_.unsupportedGripReason(space_, member);
-  }
   if (problem.empty()) {
     problem = target_.unsupportedStateReason(space_, member);
   }
@@ -147,13 +146,13 @@ Row Handover::overlapOf(const EntityModel& posed, const Pose& pose) const {
 
 /// Removes the entity from the engine that moves it, and its mirror from the target. @return the former engine
 Engine* Handover::takeOut(Row member) {
-  Engine*& mover = space_.mover[member];
+  Engine*& mover = access_.mover[member];
   for (const Membership& membership : memberships_[member]) {
     if (membership.engine == mover || membership.engine == &target_) {
       call("remove", *membership.engine, [&] { membership.engine->remove(space_, member); });
     }
   }
-  space_.entities_without_engine.remove(member);
+  access_.entities_without_engine.remove(member);
   Engine* former = mover;
   mover = nullptr;
   return former;
@@ -176,7 +175,7 @@ void Handover::commit(std::vector<Event>& events) {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const Row member = members_[k];
     changeMemberships(memberships_[member], former[k], target_);
-    space_.mover[member] = &target_;
+    access_.mover[member] = &target_;
     add(member, target_, Role::kMove);
     std::string text = "from " + (former[k] == nullptr ? "no engine" : former[k]->id()) + " to " + target_.id();
     const auto idle = idleDevices(target_, *space_.entities.model[member], devicesOf(groupOf(instances_, member)));

@@ -25,8 +25,9 @@ std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& mo
 class Handover {
  public:
   /// @param row member of the structure whose handover is requested
-  Handover(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
-           ByRow<std::vector<Membership>>& memberships, Row row, Engine& target);
+  Handover(const Space& space, const HandOverAccess& access, const std::vector<Named<Engine>>& engines,
+           const std::vector<RobotInstance>& instances, ByRow<std::vector<Membership>>& memberships, Row row,
+           Engine& target);
 
   /// Reason why the engine cannot take over all members at their present poses; "" if it can. The function changes
   /// nothing. A problem of a member other than `row` is reported with that member's name. Overlaps of members with each
@@ -45,7 +46,8 @@ class Handover {
   template <class Action>
   auto call(const char* phase, const Engine& engine, Action action) const;
 
-  Space& space_;
+  const Space& space_;
+  HandOverAccess access_;
   const std::vector<Named<Engine>>& engines_;
   const std::vector<RobotInstance>& instances_;
   ByRow<std::vector<Membership>>& memberships_;

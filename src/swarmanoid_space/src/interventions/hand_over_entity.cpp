@@ -12,8 +12,8 @@ bool carryOut(World& world, const HandOverEntity& intervention) {
   if (world.space.mover[row] == engine && world.space.entities.model[row]->is_movable) {
     return false;
   }
-  Handover handover(world.space, world.assembly.engines, world.assembly.robots, world.assembly.memberships, row,
-                    *engine);
+  Handover handover(world.space, HandOverAccess(world.space), world.assembly.engines, world.assembly.robots,
+                    world.assembly.memberships, row, *engine);
   const std::string problem = handover.problem();
   if (!problem.empty()) {
     throw ConfigError({}, world.space.entities.model[row]->type + " '" + name + "' cannot be handed over to engine '" +

@@ -11,11 +11,11 @@
 namespace swarmanoid {
 namespace {
 
-void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, RobotInstance& instance) {
+void readCommands(ByteReader& in, const RemoteRobot& robot, Banks& commands, RobotInstance& instance) {
   VariableParts parts;  // actuators with spans would need storage that outlives the call; there are none
   for (const DeviceLayout& actuator : robot.actuators) {
     try {
-      readBlock(*findDeviceType(actuator.type), in, space.commands.find(actuator.type, instance.row), parts);
+      readBlock(*findDeviceType(actuator.type), in, commands.find(actuator.type, instance.row), parts);
     } catch (const ByteError& error) {
       throw ByteError(actuator.type + ": " + error.what());
     }
@@ -37,10 +37,8 @@ void skipAnswer(ByteReader& in, StepStatus status, const RemoteRobot& robot) {
   }
 }
 
-ControllerState& stateOf(const RobotInstance& instance, Space& space) { return space.controllers[instance.row]; }
-
-void fail(RobotInstance& instance, const std::string& reason, Space& space) {
-  stateOf(instance, space).status = StepStatus::kFailed;
+void fail(RobotInstance& instance, const std::string& reason, ByRow<ControllerState>& states) {
+  states[instance.row].status = StepStatus::kFailed;
   instance.has_failed = true;
   instance.failure = reason;
 }
@@ -105,8 +103,8 @@ void Lockstep::forgetWhoHasGone(const std::vector<RobotInstance>& instances) {
   }
 }
 
-bool Lockstep::exchange(Space& space, std::vector<RobotInstance>& instances, std::vector<Event>& events,
-                        const Robot::LogSink& log, const Disturbed& is_disturbed) {
+bool Lockstep::exchange(const Space& space, const ControlAccess& access, std::vector<RobotInstance>& instances,
+                        std::vector<Event>& events, const Robot::LogSink& log, const Disturbed& is_disturbed) {
   Lock lock(mutex_);
   if (participants_.empty() && offered_.empty()) {
     return true;
@@ -135,32 +133,33 @@ bool Lockstep::exchange(Space& space, std::vector<RobotInstance>& instances, std
     throw std::runtime_error(is_cancelled_ ? "stopped while waiting for participants" : stop_reason_);
   }
   for (const Offered& offered : offered_) {
-    stateOf(instances[offered.instance], space).status = StepStatus::kNothing;
+    access.controllers[instances[offered.instance].row].status = StepStatus::kNothing;
   }
   for (const auto& participant : participants_) {
     if (participant->is_asked && participant->is_answered) {
-      apply(*participant, space, instances);
+      apply(*participant, access, instances);
       participant->has_applied = true;
     }
   }
   return true;
 }
 
-void Lockstep::apply(const Participant& participant, Space& space, std::vector<RobotInstance>& instances) {
+void Lockstep::apply(const Participant& participant, const ControlAccess& access,
+                     std::vector<RobotInstance>& instances) {
   ByteReader in(participant.answer.data);
   for (std::size_t i = 0; i < participant.robots.size(); ++i) {
     const std::size_t instance = participant.instances[i];
     const bool is_commanded = participant.is_present[i] && isCommandable(instance, instances);
     if (is_commanded && !participant.has_applied) {
-      ++stateOf(instances[instance], space).starts;
+      ++access.controllers[instances[instance].row].starts;
     }
     try {
       const auto status = static_cast<StepStatus>(in.number<std::uint8_t>());
       if (is_commanded && status == StepStatus::kStepped) {
-        readCommands(in, participant.robots[i], space, instances[instance]);
-        stateOf(instances[instance], space).status = StepStatus::kStepped;
+        readCommands(in, participant.robots[i], access.commands, instances[instance]);
+        access.controllers[instances[instance].row].status = StepStatus::kStepped;
       } else if (is_commanded && status == StepStatus::kFailed) {
-        fail(instances[instance], in.text(), space);
+        fail(instances[instance], in.text(), access.controllers);
       } else if (participant.is_present[i] && (status == StepStatus::kStepped || status == StepStatus::kFailed)) {
         skipAnswer(in, status, participant.robots[i]);
       } else if (participant.is_present[i] || status != StepStatus::kNothing) {
@@ -173,7 +172,7 @@ void Lockstep::apply(const Participant& participant, Space& space, std::vector<R
           fail(instances[participant.instances[k]],
                "participant '" + participant.name + "' sent a bad command frame: " + participant.robots[i].name + ": " +
                    error.what(),
-               space);
+               access.controllers);
         }
       }
       return;

@@ -4,12 +4,13 @@
 
 namespace swarmanoid::phases {
 
-void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty,
+void actuate(const Space& space, const ActuateAccess& access,
+             const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty,
              const Workers& workers) {
   faulty.clear();
   for (const auto& group : groups) {
     for (const auto& actuator : group->actuators) {
-      callPlugin("actuate", actuator.part, space.tick, [&] { actuator->actuate(space, faulty, workers); });
+      callPlugin("actuate", actuator.part, space.tick, [&] { actuator->actuate(space, access, faulty, workers); });
     }
   }
 }

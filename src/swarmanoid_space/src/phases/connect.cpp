@@ -5,15 +5,15 @@
 
 namespace swarmanoid::phases {
 
-void connect(Space& space, const std::vector<Named<Engine>>& engines,
-             const std::vector<std::unique_ptr<ControllerGroup>>& groups) {
+void connect(const Space& space, const ConnectAccess& access, const AfterMoveAccess& after_move,
+             const std::vector<Named<Engine>>& engines, const std::vector<std::unique_ptr<ControllerGroup>>& groups) {
   for (const auto& engine : engines) {
-    callPlugin("connect", engine.part, space.tick, [&] { engine->connect(space); });
+    callPlugin("connect", engine.part, space.tick, [&] { engine->connect(space, access); });
   }
-  space.laser_spots.clear();
+  after_move.laser_spots.clear();
   for (const auto& group : groups) {
     for (const auto& actuator : group->actuators) {
-      callPlugin("afterMove", actuator.part, space.tick, [&] { actuator->afterMove(space); });
+      callPlugin("afterMove", actuator.part, space.tick, [&] { actuator->afterMove(space, after_move); });
     }
   }
 }

@@ -9,7 +9,7 @@ namespace swarmanoid::phases {
 namespace {
 
 /// Steps all robots of a group in one call. @return whether any of them has failed
-bool stepTogether(const Space& space, Banks& commands, ByRow<ControllerState>& states, ControllerGroup& group,
+bool stepTogether(const Space& space, const ControlAccess& access, ControllerGroup& group,
                   std::vector<RobotInstance>& instances) {
   group.members.clear();
   group.stepped.clear();
@@ -22,7 +22,7 @@ bool stepTogether(const Space& space, Banks& commands, ByRow<ControllerState>& s
   }
   const Span<const GroupMember> members(group.members.data(), group.members.size());
   const std::string failure =
-      failureOf({"step", group.part, "", space.tick}, [&] { group.together->step(space, commands, members); });
+      failureOf({"step", group.part, "", space.tick}, [&] { group.together->step(space, access.commands, members); });
   bool is_failure = false;
   for (RobotInstance* instance : group.stepped) {
     if (!failure.empty()) {
@@ -30,14 +30,14 @@ bool stepTogether(const Space& space, Banks& commands, ByRow<ControllerState>& s
     }
     instance->has_failed = !instance->failure.empty();
     is_failure = is_failure || instance->has_failed;
-    states[instance->row].status = instance->has_failed ? StepStatus::kFailed : StepStatus::kStepped;
+    access.controllers[instance->row].status = instance->has_failed ? StepStatus::kFailed : StepStatus::kStepped;
   }
   return is_failure;
 }
 
 }  // namespace
 
-Found control(const Space& space, Banks& commands, ByRow<ControllerState>& states,
+Found control(const Space& space, const ControlAccess& access,
               const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<RobotInstance>& instances,
               const Workers& workers) {
   constexpr std::size_t kGrain = 64;
@@ -52,7 +52,7 @@ Found control(const Space& space, Banks& commands, ByRow<ControllerState>& state
       if (instance.source == CommandSource::kRemote) {
         continue;  // its participant has answered
       }
-      StepStatus& status = states[instance.row].status;
+      StepStatus& status = access.controllers[instance.row].status;
       status = StepStatus::kNothing;
       if (!instance.has_failed && instance.controller != nullptr) {
         instance.has_failed = !stepController(*instance.controller, instance.step, *instance.robot, space.tick,
@@ -70,7 +70,7 @@ Found control(const Space& space, Banks& commands, ByRow<ControllerState>& state
   });
   for (const auto& group : groups) {
     if (group->together != nullptr) {
-      is_failure = stepTogether(space, commands, states, *group, instances) || is_failure;
+      is_failure = stepTogether(space, access, *group, instances) || is_failure;
     }
   }
   return {is_failure, is_stop};

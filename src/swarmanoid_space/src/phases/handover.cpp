@@ -5,27 +5,29 @@
 namespace swarmanoid::phases {
 namespace {
 
-void attempt(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
+void attempt(const Space& space, const HandOverAccess& access, std::vector<Event>& events,
+             const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
              HandoverTrigger& trigger, ByRow<std::vector<Membership>>& memberships) {
   if (space.mover[trigger.row] == trigger.engine) {
     trigger.is_due = false;
     return;
   }
-  Handover handover(space, engines, instances, memberships, trigger.row, *trigger.engine);
+  Handover handover(space, access, engines, instances, memberships, trigger.row, *trigger.engine);
   const std::string problem = handover.problem();
   if (problem.empty()) {
-    handover.commit(space.events);
+    handover.commit(events);
     trigger.is_due = false;
   } else if (!trigger.is_refused) {
     trigger.is_refused = true;  // reported once; tried again each tick, because the obstacle may disappear
-    space.events.push_back({Event::Kind::kHandoverRefused, space.entities.name[trigger.row], "",
-                            "to " + trigger.engine->id() + ": " + problem});
+    events.push_back({Event::Kind::kHandoverRefused, space.entities.name[trigger.row], "",
+                      "to " + trigger.engine->id() + ": " + problem});
   }
 }
 
 }  // namespace
 
-void handOver(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
+void handOver(const Space& space, const HandOverAccess& access, std::vector<Event>& events,
+              const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
               std::vector<HandoverTrigger>& triggers, ByRow<std::vector<Membership>>& memberships) {
   for (HandoverTrigger& trigger : triggers) {
     if (space.entities.number[trigger.row] != trigger.number) {
@@ -38,7 +40,7 @@ void handOver(Space& space, const std::vector<Named<Engine>>& engines, const std
     }
     trigger.was_true = is_true;
     if (trigger.is_due) {
-      attempt(space, engines, instances, trigger, memberships);
+      attempt(space, access, events, engines, instances, trigger, memberships);
     }
   }
 }

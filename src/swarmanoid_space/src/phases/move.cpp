@@ -47,16 +47,17 @@ void refuseWhatIsNotFinite(const Space& space, const Workers& workers) {
 
 }  // namespace
 
-void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers, bool are_timed,
+void move(const Space& space, const MoveAccess& access, PositionalIndex& index,
+          const std::vector<Named<Engine>>& engines, const Workers& workers, bool are_timed,
           std::vector<double>& seconds) {
-  space.index.close();
+  index.close();
   seconds.resize(engines.size());
   workers.forEach(engines.size(), [&](std::size_t i) {
     callPlugin("readMirrors", engines[i].part, space.tick, [&] { engines[i]->readMirrors(space); });
   });
   workers.forEach(engines.size(), [&](std::size_t i) {
     Stopwatch stopwatch(are_timed);
-    callPlugin("move", engines[i].part, space.tick, [&] { engines[i]->move(space, space.clocktick); });
+    callPlugin("move", engines[i].part, space.tick, [&] { engines[i]->move(space, access, space.clocktick); });
     stopwatch.lap(seconds[i]);
   });
   refuseWhatIsNotFinite(space, workers);

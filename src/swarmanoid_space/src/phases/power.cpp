@@ -111,24 +111,24 @@ void charge(double capacity, double dt, Span<double> stores, BatteryState& state
 
 }  // namespace
 
-void cutPower(Space& space, const std::vector<RobotInstance>& instances) {
+void cutPower(const Space& space, const ActuateAccess& access, const std::vector<RobotInstance>& instances) {
   if (space.powered.empty()) {
     return;
   }
   for (const Row row : space.powered) {
     const BatteryState& state = space.batteries[row][0];
     if (isOnCapacitor(space.properties[row], state)) {
-      space.wheels[row].left = 0.0;
-      space.wheels[row].right = 0.0;
+      access.wheels[row].left = 0.0;
+      access.wheels[row].right = 0.0;
     }
     if (state.is_empty) {
-      const Span<Color> leds = space.leds[row];
+      const Span<Color> leds = access.leds[row];
       std::fill(leds.begin(), leds.end(), colors::kBlack);
     }
   }
   // a safe stop ends with hovering if the robot has not reached the ground in time
   for (const RobotInstance& instance : instances) {
-    FlightCommand& flight = space.flight[instance.row];
+    FlightCommand& flight = access.flight[instance.row];
     if (instance.source_when_charged && !instance.stops_since && flight.is_driven && !isCarried(space, instance.row)) {
       flight.linear = {0.0, 0.0, -SafeStopSettings{}.descend_speed};
       flight.yaw_rate = 0.0;
@@ -136,12 +136,12 @@ void cutPower(Space& space, const std::vector<RobotInstance>& instances) {
   }
 }
 
-void power(Space& space) {
+void power(const Space& space, const PowerAccess& access) {
   const double dt = toSeconds(space.clocktick);
   for (const Row row : space.powered) {
     const BatteryModel& battery = *space.entities.model[row]->battery;
-    const Span<double> stores = space.properties[row];
-    BatteryState& state = space.batteries[row][0];
+    const Span<double> stores = access.properties[row];
+    BatteryState& state = access.batteries[row][0];
     drain(space, row, dt, stores, state);
     charge(battery.capacity, dt, stores, state);
     judgeEmptiness(battery, stores, state);

@@ -4,7 +4,8 @@
 
 namespace swarmanoid::phases {
 
-bool rule(Space& space, const std::vector<RuleInstance>& rules, InterventionQueue& queue) {
+bool rule(const Space& space, std::vector<Event>& events, const std::vector<RuleInstance>& rules,
+          InterventionQueue& queue) {
   bool finish_asked = false;
   for (const RuleInstance& rule : rules) {
     queue.setAsking(rule.part);
@@ -12,7 +13,7 @@ bool rule(Space& space, const std::vector<RuleInstance>& rules, InterventionQueu
       rule->afterTick(space, queue);
       if (rule->isFinished()) {
         finish_asked = true;
-        space.events.push_back({Event::Kind::kFinished, "", "", rule.part + " ends the run"});
+        events.push_back({Event::Kind::kFinished, "", "", rule.part + " ends the run"});
       }
     });
   }

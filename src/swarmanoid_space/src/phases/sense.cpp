@@ -16,10 +16,11 @@ void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup
   }
 }
 
-void report(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups) {
+void report(const Space& space, const ReportAccess& access,
+            const std::vector<std::unique_ptr<ControllerGroup>>& groups) {
   for (const auto& group : groups) {
     for (const auto& sensor : group->sensors) {
-      callPlugin("report", sensor.part, space.tick, [&] { sensor->report(space); });
+      callPlugin("report", sensor.part, space.tick, [&] { sensor->report(space, access); });
     }
   }
 }

@@ -4,7 +4,7 @@
 
 namespace swarmanoid::phases {
 
-void stopSafely(Space& space, std::vector<RobotInstance>& instances) {
+void stopSafely(const Space& space, const ActuateAccess& access, std::vector<RobotInstance>& instances) {
   for (RobotInstance& instance : instances) {
     if (!instance.stops_since) {
       continue;
@@ -12,7 +12,7 @@ void stopSafely(Space& space, std::vector<RobotInstance>& instances) {
     const SafeStopMoment moment{toSeconds(space.time - *instance.stops_since), {}, *instance.robot};
     bool is_over = true;
     for (const auto& actuator : instance.group->actuators) {
-      is_over = actuator->stop(space, instance.row, moment) && is_over;
+      is_over = actuator->stop(space, access, instance.row, moment) && is_over;
     }
     if (is_over) {
       instance.stops_since.reset();

@@ -14,6 +14,7 @@ PhaseTimes& PhaseTimes::operator+=(const PhaseTimes& other) {
   move += other.move;
   connect += other.connect;
   index += other.index;
+  power += other.power;
   rule += other.rule;
   show += other.show;
   engines.resize(std::max(engines.size(), other.engines.size()), 0.0);

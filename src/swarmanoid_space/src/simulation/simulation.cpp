@@ -26,35 +26,38 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   }
   has_sensed_ = false;
   stopwatch.lap(phase_times_.sense);
-  if (!world.lockstep.exchange(world.space, world.assembly.robots, world.pending_events, world.log_sink,
-                               is_disturbed)) {
+  if (!world.lockstep.exchange(world.space, ControlAccess(world.space), world.assembly.robots, world.pending_events,
+                               world.log_sink, is_disturbed)) {
     return false;
   }
   rules_have_begun_ = false;
   showPending();
-  phases::report(world.space, world.assembly.groups);
+  phases::report(world.space, ReportAccess(world.space), world.assembly.groups);
   if (world.supplied.commands != nullptr) {
     phases::applyTopics(world.space, world.space.commands, world.space.events, world.assembly.robots,
                         *world.supplied.commands, world.log_sink);
   }
-  const phases::Found found = phases::control(world.space, world.space.commands, world.space.controllers,
-                                              world.assembly.groups, world.assembly.robots, world.assembly.workers);
+  const phases::Found found = phases::control(world.space, ControlAccess(world.space), world.assembly.groups,
+                                              world.assembly.robots, world.assembly.workers);
   restoreLocale();
   stopwatch.lap(phase_times_.control);
-  phases::actuate(world.space, world.assembly.groups, faulty_, world.assembly.workers);
+  phases::actuate(world.space, ActuateAccess(world.space), world.assembly.groups, faulty_, world.assembly.workers);
   stopFailedRobots(found.is_failure || !faulty_.empty(), found.is_stop);
-  phases::cutPower(world.space, world.assembly.robots);
+  phases::cutPower(world.space, ActuateAccess(world.space), world.assembly.robots);
   stopwatch.lap(phase_times_.actuate);
-  phases::move(world.space, world.assembly.engines, world.assembly.workers, are_phases_timed_, phase_times_.engines);
+  phases::move(world.space, MoveAccess(world.space), world.space.index, world.assembly.engines, world.assembly.workers,
+               are_phases_timed_, phase_times_.engines);
   stopwatch.lap(phase_times_.move);
-  phases::connect(world.space, world.assembly.engines, world.assembly.groups);
-  phases::handOver(world.space, world.assembly.engines, world.assembly.robots, world.assembly.triggers,
-                   world.assembly.memberships);
+  phases::connect(world.space, ConnectAccess(world.space), AfterMoveAccess(world.space), world.assembly.engines,
+                  world.assembly.groups);
+  phases::handOver(world.space, HandOverAccess(world.space), world.space.events, world.assembly.engines,
+                   world.assembly.robots, world.assembly.triggers, world.assembly.memberships);
   removeFallen();
   stopwatch.lap(phase_times_.connect);
   phases::index(world.space, world.space.index, world.space.outside, world.space.events, world.assembly.workers);
-  phases::power(world.space);
   stopwatch.lap(phase_times_.index);
+  phases::power(world.space, PowerAccess(world.space));
+  stopwatch.lap(phase_times_.power);
   logNewOverflows();
 
   ++world.space.tick;
@@ -90,7 +93,7 @@ void Simulation::showPending() {
 bool Simulation::runRules() {
   World& world = *world_;
   try {
-    return phases::rule(world.space, world.assembly.rules, world.queue);
+    return phases::rule(world.space, world.space.events, world.assembly.rules, world.queue);
   } catch (...) {
     const std::string failure = describeException();
     try {
@@ -115,7 +118,7 @@ void Simulation::stopFailedRobots(bool have_failed, bool are_stopping) {
     noteFailures();
   }
   if (have_failed || are_stopping) {
-    phases::stopSafely(world_->space, world_->assembly.robots);
+    phases::stopSafely(world_->space, ActuateAccess(world_->space), world_->assembly.robots);
   }
 }
 

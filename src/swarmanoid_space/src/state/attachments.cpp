@@ -24,9 +24,9 @@ void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, 
 }
 
 Attachments::Attachments(Entities& entities)
-    : entities_(entities),
-      by_owner_(entities.columns, {"attachment", Writer::kConnect, Visits::kHash},
-                [](const EntityModel& model) { return model.holders.size(); }) {}
+    : entities_(entities), by_owner_(entities.columns, {"attachment", Visits::kHash}, [](const EntityModel& model) {
+        return model.holders.size();
+      }) {}
 
 void Attachments::clear() {
   for (const Row owner : entities_.order) {

@@ -185,8 +185,7 @@ void buildEngines(World& world) {
     if (!problem.empty()) {
       throw ConfigError(description.location, description.label + " '" + description.id + "': " + problem);
     }
-    world.assembly.engines.back()->takeWorkers(world.assembly.workers);
-    world.assembly.engines.back()->takeTerrain(world.experiment.arena.terrain);
+    world.assembly.engines.back()->prepare({world.experiment.arena.terrain, &world.assembly.workers});
     world.space.engines.push_back(world.assembly.engines.back().get());
     world.engine_parameters.push_back(description.parameters);
   }

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/frames.hpp"
+#include "swarmanoid_space/access.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -99,8 +100,8 @@ class Lockstep {
   /// @param is_disturbed called before each wait, see `wake`; may be empty
   /// @return false: it was disturbed and nothing has changed; call it again for the same tick
   /// @throws std::runtime_error naming the participant that is late, by LatePolicy::kStop, or if it is cancelled
-  bool exchange(Space& space, std::vector<RobotInstance>& instances, std::vector<Event>& events,
-                const Robot::LogSink& log, const Disturbed& is_disturbed);
+  bool exchange(const Space& space, const ControlAccess& access, std::vector<RobotInstance>& instances,
+                std::vector<Event>& events, const Robot::LogSink& log, const Disturbed& is_disturbed);
   /// Makes a waiting `exchange` call `is_disturbed` again. From any thread.
   void wake();
   /// Ends the wait of `exchange`, now and in later calls.
@@ -165,7 +166,7 @@ class Lockstep {
   static void report(const Notice& notice, std::vector<Event>& events, const Robot::LogSink& log);
   void reportAll(Lock& lock, std::vector<Event>& events, const Robot::LogSink& log);
   static bool isCommandable(std::size_t instance, const std::vector<RobotInstance>& instances);
-  static void apply(const Participant& participant, Space& space, std::vector<RobotInstance>& instances);
+  static void apply(const Participant& participant, const ControlAccess& access, std::vector<RobotInstance>& instances);
 
   mutable std::mutex mutex_;  // guards all following members
   std::condition_variable changed_;

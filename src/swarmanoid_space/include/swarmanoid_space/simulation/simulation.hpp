@@ -29,6 +29,7 @@ struct PhaseTimes {
   double move = 0.0;
   double connect = 0.0;  ///< includes handover, and falling into holes
   double index = 0.0;
+  double power = 0.0;
   double rule = 0.0;  ///< includes the rules' work before the tick
   double show = 0.0;
   std::vector<double> engines;  ///< share of `move` per engine, in the order of Space::engines

@@ -64,7 +64,7 @@ class Attachments {
 
  private:
   const Entities& entities_;
-  ListColumn<Attachment> by_owner_;
+  ListColumn<Attachment, WrittenIn::kConnect> by_owner_;
   std::size_t count_ = 0;
 };
 

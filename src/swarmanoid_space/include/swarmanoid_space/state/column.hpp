@@ -1,9 +1,9 @@
 /// The columns of the space: one value, or one list of values, per entity.
 ///
-/// A column is declared once, as a member of its part of the space, with its name, its writer, its visitors and its
-/// default. Its constructor adds it to the list of columns, and all operations on columns iterate over that list: a new
-/// entity gets the default of each column, data of deleted entities are removed, hashes and recordings visit the
-/// columns in the order of declaration. To add a column, add this one line.
+/// A column is declared once, as a member of its part of the space, with the phases that write it, its name, its
+/// visitors and its default. Its constructor adds it to the list of columns, and all operations on columns iterate over
+/// that list: a new entity gets the default of each column, data of deleted entities are removed, hashes and recordings
+/// visit the columns in the order of declaration. To add a column, add this one line.
 ///
 /// Threads  columns are made, and rows added and removed, only at a tick boundary; values of different entities may be
 ///          written concurrently, by the phase that writes the column.
@@ -20,8 +20,24 @@
 
 namespace swarmanoid {
 
-/// The phase in which the values of a column change.
-enum class Writer { kBetweenTicks, kControl, kActuate, kMove, kConnect, kIndex, kPower };
+/// The phases of a tick that write the values of a column; between ticks, all columns may be written. It is part of the
+/// column's type, so code that takes a column for another phase does not compile (writable, access.hpp).
+enum class WrittenIn : unsigned {
+  kNoPhase = 0,  ///< only between ticks
+  kControl = 1U << 0U,
+  kActuate = 1U << 1U,
+  kMove = 1U << 2U,
+  kConnect = 1U << 3U,
+  kIndex = 1U << 4U,
+  kPower = 1U << 5U
+};
+
+constexpr WrittenIn operator|(WrittenIn a, WrittenIn b) {
+  return static_cast<WrittenIn>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool includes(WrittenIn phases, WrittenIn phase) {
+  return (static_cast<unsigned>(phases) & static_cast<unsigned>(phase)) != 0;
+}
 
 /// The visitors of a column's values.
 enum class Visits {
@@ -32,7 +48,6 @@ enum class Visits {
 
 struct ColumnInfo {
   const char* name;  ///< of the field, or of the group of fields, in recordings
-  Writer writer;
   Visits visits = Visits::kNone;
 };
 
@@ -98,7 +113,7 @@ void visitIfNamed(StateVisitor& visitor, const ColumnInfo& info, const CellOwner
 }  // namespace detail
 
 /// One value per entity.
-template <class Value>
+template <class Value, WrittenIn kPhases = WrittenIn::kNoPhase>
 class Column final : public ColumnBase, public ByRow<Value> {
  public:
   Column(Columns& columns, const ColumnInfo& info, Value initial = Value{})
@@ -128,9 +143,33 @@ class Column final : public ColumnBase, public ByRow<Value> {
   Value initial_;
 };
 
-/// A list of values per entity, of the length that its model requires.
+/// A list of values for each row.
 template <class Value>
-class ListColumn final : public ColumnBase {
+class ListByRow {
+ public:
+  /// @pre the row exists. Valid until an entity is added.
+  Span<Value> operator[](Row row) { return {values_.data() + places_[row].first, places_[row].count}; }
+  Span<const Value> operator[](Row row) const { return {values_.data() + places_[row].first, places_[row].count}; }
+
+ protected:
+  struct Place {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+
+  ListByRow() = default;
+
+  RowMap<Place> places_;
+  std::vector<Value> values_;  // of all entities
+};
+
+/// A list of values per entity, of the length that its model requires.
+template <class Value, WrittenIn kPhases = WrittenIn::kNoPhase>
+class ListColumn final : public ColumnBase, public ListByRow<Value> {
+  using Place = typename ListByRow<Value>::Place;
+  using ListByRow<Value>::places_;
+  using ListByRow<Value>::values_;
+
  public:
   using CountOf = std::size_t (*)(const EntityModel& model);
   using InitialOf = Value (*)(const EntityModel& model, std::size_t index);
@@ -140,10 +179,6 @@ class ListColumn final : public ColumnBase {
       : ColumnBase(columns, info), count_of_(count_of), initial_of_(initial_of) {
     places_.resize(columns.rowCount());
   }
-
-  /// @pre the row exists. Valid until an entity is added.
-  Span<Value> operator[](Row row) { return {values_.data() + places_[row].first, places_[row].count}; }
-  Span<const Value> operator[](Row row) const { return {values_.data() + places_[row].first, places_[row].count}; }
 
   void resize(std::size_t row_count) override {
     places_.resize(row_count);
@@ -167,11 +202,6 @@ class ListColumn final : public ColumnBase {
   }
 
  private:
-  struct Place {
-    std::size_t first = 0;
-    std::size_t count = 0;
-  };
-
   Place findPlace(std::size_t count) {
     Place place{0, count};
     if (count == 0) {
@@ -190,9 +220,19 @@ class ListColumn final : public ColumnBase {
 
   CountOf count_of_;
   InitialOf initial_of_;
-  RowMap<Place> places_;
-  std::vector<Value> values_;                              // of all entities
   std::map<std::size_t, std::vector<std::size_t>> holes_;  // first values of free places, by size
 };
+
+/// The column, for code of one phase. Does not compile for a column that the phase does not write.
+template <WrittenIn kPhase, class Value, WrittenIn kPhases>
+ByRow<Value>& writable(Column<Value, kPhases>& column) {
+  static_assert(includes(kPhases, kPhase), "this phase does not write this column");
+  return column;
+}
+template <WrittenIn kPhase, class Value, WrittenIn kPhases>
+ListByRow<Value>& writable(ListColumn<Value, kPhases>& column) {
+  static_assert(includes(kPhases, kPhase), "this phase does not write this column");
+  return column;
+}
 
 }  // namespace swarmanoid

@@ -71,16 +71,16 @@ class Entities {
   Columns columns;  ///< all columns of the space
 
   // `pose` and `twist` are written only by the engine that moves the entity.
-  Column<EntityNumber> number{columns, {"number", Writer::kBetweenTicks}};
-  Column<std::string> name{columns, {"name", Writer::kBetweenTicks}};
-  Column<std::shared_ptr<const EntityModel>> model{columns, {"model", Writer::kBetweenTicks}};
-  Column<Pose> pose{columns, {"pose", Writer::kMove, Visits::kHash}};
-  Column<Twist> twist{columns, {"twist", Writer::kMove, Visits::kHash}};
+  Column<EntityNumber> number{columns, {"number"}};
+  Column<std::string> name{columns, {"name"}};
+  Column<std::shared_ptr<const EntityModel>> model{columns, {"model"}};
+  Column<Pose, WrittenIn::kMove> pose{columns, {"pose", Visits::kHash}};
+  Column<Twist, WrittenIn::kMove> twist{columns, {"twist", Visits::kHash}};
   /// Colour of the entity's own surface (preys) or light (lamps); black: invisible to cameras. The state hash includes
   /// it while it differs from first_color (visitState).
-  Column<Color> color{columns, {"color", Writer::kBetweenTicks, Visits::kRecordings}};
+  Column<Color> color{columns, {"color", Visits::kRecordings}};
   /// `color` when the entity was added to the space.
-  Column<Color> first_color{columns, {"first_color", Writer::kBetweenTicks}};
+  Column<Color> first_color{columns, {"first_color"}};
 
  private:
   std::vector<Row> holes_;

@@ -16,8 +16,7 @@ namespace swarmanoid {
 class StructuralTree {
  public:
   explicit StructuralTree(Columns& columns)
-      : parent_(columns, {"gripped", Writer::kConnect, Visits::kHash}, kNoRow),
-        children_(columns, {"grippers", Writer::kConnect}) {}
+      : parent_(columns, {"gripped", Visits::kHash}, kNoRow), children_(columns, {"grippers"}) {}
 
   /// @return false, and nothing changes, if `gripper` already grips something or the grip would close a loop
   bool connect(Row gripper, Row gripped);
@@ -44,8 +43,8 @@ class StructuralTree {
     ~Grippers() = default;
   };
 
-  Column<Row> parent_;
-  Column<Grippers> children_;
+  Column<Row, WrittenIn::kConnect> parent_;
+  Column<Grippers, WrittenIn::kConnect> children_;
 };
 
 }  // namespace swarmanoid

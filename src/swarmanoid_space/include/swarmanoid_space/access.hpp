@@ -1,0 +1,105 @@
+/// What the plugins of a phase may write, apart from their own memory.
+///
+/// Engines, sensors and actuators get the space const. Beside it they get one of these objects, whose members are the
+/// columns and lists that they may write in that phase. They cannot make one, because that takes a space that is not
+/// const: an engine that lights an LED does not compile. Neither does an access object with a column that its phase
+/// does not write, since a column names its phases in its type (WrittenIn).
+///
+/// Cost     references only.
+/// Threads  an access object may be used by several threads, for different entities.
+#pragma once
+
+#include <vector>
+
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+
+/// Of sensors, when they report on the readings of a tick.
+struct ReportAccess {
+  explicit ReportAccess(Space& space) : events(space.events), overflows(space.overflows) {}
+
+  std::vector<Event>& events;
+  std::vector<Overflow>& overflows;
+};
+
+/// Of controllers: in this process, in others, and topics.
+struct ControlAccess {
+  explicit ControlAccess(Space& space)
+      : commands(space.commands), controllers(writable<WrittenIn::kControl>(space.controllers)) {}
+
+  Banks& commands;
+  ByRow<ControllerState>& controllers;
+};
+
+/// Of actuators, and of what stops robots.
+struct ActuateAccess {
+  explicit ActuateAccess(Space& space)
+      : wheels(writable<WrittenIn::kActuate>(space.wheels)),
+        flight(writable<WrittenIn::kActuate>(space.flight)),
+        joint_commands(writable<WrittenIn::kActuate>(space.joint_commands)),
+        holder_commands(writable<WrittenIn::kActuate>(space.holder_commands)),
+        leds(writable<WrittenIn::kActuate>(space.leds)),
+        properties(writable<WrittenIn::kActuate>(space.properties)) {}
+
+  ByRow<WheelsCommand>& wheels;
+  ByRow<FlightCommand>& flight;
+  ListByRow<JointCommand>& joint_commands;
+  ListByRow<HolderCommand>& holder_commands;
+  ListByRow<Color>& leds;
+  ListByRow<double>& properties;  ///< of radio tags: their data (kTagData)
+};
+
+/// Of engines that move their entities.
+struct MoveAccess {
+  explicit MoveAccess(Space& space)
+      : pose(writable<WrittenIn::kMove>(space.entities.pose)),
+        twist(writable<WrittenIn::kMove>(space.entities.twist)),
+        joints(writable<WrittenIn::kMove>(space.joints)),
+        wheel_turns(writable<WrittenIn::kMove>(space.wheel_turns)) {}
+
+  ByRow<Pose>& pose;
+  ByRow<Twist>& twist;
+  ListByRow<JointState>& joints;
+  ByRow<WheelTurns>& wheel_turns;
+};
+
+/// Of engines that make and break grips and attachments.
+struct ConnectAccess {
+  explicit ConnectAccess(Space& space)
+      : structure(space.structure), attachments(space.attachments), events(space.events) {}
+
+  StructuralTree& structure;
+  Attachments& attachments;
+  std::vector<Event>& events;
+};
+
+/// Of actuators, once the engines have moved (Actuator::afterMove).
+struct AfterMoveAccess {
+  explicit AfterMoveAccess(Space& space)
+      : laser_spots(space.laser_spots), wheel_turns(writable<WrittenIn::kConnect>(space.wheel_turns)) {}
+
+  std::vector<LaserSpot>& laser_spots;
+  ByRow<WheelTurns>& wheel_turns;
+};
+
+/// Of handovers.
+struct HandOverAccess {
+  explicit HandOverAccess(Space& space)
+      : mover(writable<WrittenIn::kConnect>(space.mover)), entities_without_engine(space.entities_without_engine) {}
+
+  ByRow<Engine*>& mover;
+  EntitiesWithoutEngine& entities_without_engine;
+};
+
+/// Of the batteries' phase.
+struct PowerAccess {
+  explicit PowerAccess(Space& space)
+      : batteries(writable<WrittenIn::kPower>(space.batteries)),
+        properties(writable<WrittenIn::kPower>(space.properties)) {}
+
+  ListByRow<BatteryState>& batteries;
+  ListByRow<double>& properties;  ///< of robots with a battery: their stores
+};
+
+}  // namespace swarmanoid
