@@ -20,9 +20,10 @@ PAGES = ROOT / "docs/reference/devices"
 BEGIN = "<!-- from the code, by scripts/device_pages.py -->\n"
 END = "<!-- by hand from here on -->\n"
 IN_COMMON = ("\nFrames, units, time, noise and errors: [what holds for all devices](../devices.md). `swarmanoid describe {}` has "
-             "further implementations, if there are any.\n")
+             "the engines that execute it, and further implementations, if there are any.\n")
 IMPLEMENTATION = re.compile(r"^## Implementation .*?(?=^## |\Z)", re.M | re.S)
 DEFAULT = "- The default: an experiment that names none means this one\n"
+ENGINES = re.compile(r"^- Engines: .*\n", re.M)
 HEADER = re.compile(r"`((\w+)/\S+\.hpp)`$", re.M)
 LAW = re.compile(r"^## Law\n(.*?)(?=^## |\Z)", re.M | re.S)
 
@@ -41,7 +42,8 @@ def by_device(text):
 
 
 def of_default(description):
-    """A description without implementations other than the default, so that adding one changes no page."""
+    """A description without engines, and without implementations other than the default, so that adding one changes no page."""
+    description = re.sub(r"\n{3,}", "\n\n", ENGINES.sub("", description))
     if len(IMPLEMENTATION.findall(description)) == 1:
         return description
     kept = IMPLEMENTATION.sub(lambda found: found[0].replace(DEFAULT, "") if DEFAULT in found[0] else "", description)

@@ -44,7 +44,7 @@ LONG_PAGES = ("docs/how-to/use_in_a_catkin_workspace.md",)
 # Pages that add to the suite, and the maximum number of new files of each. They are run in a copy of the tree, which is built
 # once; they must not change existing files
 SUITE_PAGES = {"docs/how-to/add_a_device_to_the_suite.md": 4, "docs/how-to/add_an_implementation.md": 2,
-               "docs/how-to/add_an_arena_object_to_the_suite.md": 8}
+               "docs/how-to/add_an_arena_object_to_the_suite.md": 8, "docs/how-to/add_to_the_suite.md": 3}
 FENCE = re.compile(r"(?:^<!-- (?P<note>.*?) -->\n)?^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
 BUILD_FOLDER = ""
 

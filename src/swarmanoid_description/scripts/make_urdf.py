@@ -1,13 +1,18 @@
 #!/usr/bin/env python3
-"""Writes urdf/<robot>.urdf for each robot. With --check it only says whether the files are up to date (exit 0 or 1)."""
+"""Writes urdf/<robot>.urdf for each robot: each file beside this one that has a function `make`. With --check it only says whether the
+files are up to date (exit 0 or 1)."""
+import importlib
 import pathlib
 import sys
 
-import eyebot
-import footbot
-import handbot
+SCRIPTS = pathlib.Path(__file__).resolve().parent
+FOLDER = SCRIPTS.parent / "urdf"
 
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "urdf"
+
+def robots():
+    for file in sorted(SCRIPTS.glob("*.py")):
+        if "\ndef make(" in file.read_text(encoding="utf-8"):
+            yield importlib.import_module(file.stem).make()
 
 
 def main(arguments):
@@ -15,7 +20,7 @@ def main(arguments):
         print(__doc__, file=sys.stderr)
         return 2
     outdated = 0
-    for robot in (footbot.make(), eyebot.make(), handbot.make()):
+    for robot in robots():
         file = FOLDER / f"{robot.name}.urdf"
         if not arguments:
             file.write_text(robot.text(), encoding="utf-8")

@@ -32,10 +32,7 @@ class StillEngine final : public Engine {
   Row overlap(const EntityModel& /*model*/, const Pose& /*pose*/, Span<const Row> /*ignored*/) const override {
     return kNoRow;
   }
-  void add(const Space& space, Row row, Role /*role*/) override {
-    rows_.push_back(row);
-    space.mover[row] = this;
-  }
+  void add(const Space& /*space*/, Row row, Role /*role*/) override { rows_.push_back(row); }
   void remove(const Space& /*space*/, Row row) override { rows_.erase(std::find(rows_.begin(), rows_.end(), row)); }
   void place(const Space& /*space*/, Row /*row*/) override {}
   void clear() override { rows_.clear(); }
@@ -90,6 +87,7 @@ class SightLinesTest : public testing::Test {
   Row moved(Row row) {
     world.space.entities_without_engine.remove(row);
     engine.add(world.space, row, Role::kMove);
+    world.space.mover[row] = &engine;
     return row;
   }
   Row addHandbot(const Eigen::Vector3d& position) { return moved(world.add(robotModel("handbot"), position)); }

@@ -89,6 +89,13 @@ class WriterTest(unittest.TestCase):
             self.assertEqual([], self.problems(WHISTLE + both))
             self.assertEqual([], self.rewrite(WHISTLE + both))
 
+    def test_an_engine_more_changes_no_page(self):
+        loud = "\n## Implementation `loud`\n\nLoud.\n\n- Engines: {}\n"
+        self.rewrite(WHISTLE + loud.format("`one`"))
+        self.write_law()
+        self.assertNotIn("`one`", self.page.read_text())
+        self.assertEqual([], self.problems(WHISTLE + loud.format("`one`, `two`")))
+
     def test_a_page_of_no_device_is_told_of(self):
         self.rewrite()
         self.write_law()

@@ -82,7 +82,7 @@ class RerunTest(ProgramTest):
         self.assertIn("found no run 1, allowed: 0", self.rerun("run.bag", "--run", 1, code=BAD_INPUT).stderr)
 
     def test_a_bag_with_every_third_state_is_compared_in_these(self):
-        every = '<rosbag_recorder id="b" library="swarmanoid_recording"><file>run.bag</file><every>3</every></rosbag_recorder>'
+        every = '<rosbag_recorder id="b"><file>run.bag</file><every>3</every></rosbag_recorder>'
         self.run_world(visualisations=every)
         self.assertEqual(self.rerun(self.out).stdout, "7 states, one in 3 ticks and the last after 18, are those of the recorded run\n")
 

@@ -119,13 +119,13 @@ class ArraysTest(TrajectoriesTest):
             self.assertEqual(getattr(recording, name), getattr(bag, name), name)
 
     def test_a_bag_of_few_states_has_the_hash_of_the_last_one(self):
-        few = '<rosbag_recorder id="b" library="swarmanoid_recording"><file>run.bag</file><every>7</every></rosbag_recorder>'
+        few = '<rosbag_recorder id="b"><file>run.bag</file><every>7</every></rosbag_recorder>'
         done = self.call("run", self.world(maxclock=10, visualisations=few), "--quiet")
         bag = swarmanoid.load(self.folder / "run.bag")
         self.assertEqual((list(bag.ticks), bag.state_hash), ([0, 7], json.loads(done.stdout)["state_hash"]))
 
     def test_resets_are_runs(self):
-        world = self.world(visualisations='<trajectory_recorder id="t" library="swarmanoid_trajectories"><file>run.h5</file>'
+        world = self.world(visualisations='<trajectory_recorder id="t"><file>run.h5</file>'
                                           "<every>2</every></trajectory_recorder>")
         simulation = swarmanoid.Simulation(world, seed=4, out=str(self.folder))
         simulation.tick(5)

@@ -117,7 +117,7 @@ class ReplayTest(ProgramTest):
         self.assertIn("run.bag: found no recorded controller, expected topics such as", self.replay(code=BAD_INPUT))
 
     def test_the_experiment_file_asks_for_it_too(self):
-        recorder = ('<rosbag_recorder id="bag" library="swarmanoid_recording"><file>run.bag</file>'
+        recorder = ('<rosbag_recorder id="bag"><file>run.bag</file>'
                     '<controllers>fb</controllers></rosbag_recorder>')
         done = self.call("run", self.world(visualisations=recorder, text=WORLD), "--quiet")
         self.assertEqual(done.returncode, FINISHED, done.stderr)

@@ -69,9 +69,13 @@ DeclaredLibrary readDeclaration(const fs::path& file) {
   declared.library = file.filename().string();
   std::ifstream text(file);
   text >> declared.package;
-  for (std::string kind, label; text >> kind >> label;) {
+  for (std::string kind, value; text >> kind >> value;) {
     if (kind == "visualisation") {
-      declared.visualisations.push_back(label);
+      declared.visualisations.push_back(value);
+    } else if (kind == "scripts") {
+      declared.scripts = value;
+    } else if (kind == "loaded") {
+      declared.is_built_in = value == "always";
     }
   }
   return declared;

@@ -15,12 +15,14 @@ std::atomic<ScriptHostFactory> registered{nullptr};
 void registerScriptHost(ScriptHostFactory factory) { registered = factory; }
 
 std::shared_ptr<ScriptHost> makeScriptHost(const SourceLocation& location) {
-  constexpr const char* kLibrary = "swarmanoid_python_host";
-  loadPluginLibrary(kLibrary, {}, location);
+  for (const DeclaredLibrary& declared : declaredLibraries()) {
+    if (declared.scripts == "python") {
+      loadPluginLibrary(declared.library, {}, location);
+    }
+  }
   const ScriptHostFactory factory = registered;
   if (factory == nullptr) {
-    throw ConfigError(location, std::string("source: found python, allowed: C++ alone, for the library ") + kLibrary +
-                                    " brings nothing that runs Python");
+    throw ConfigError(location, "source: found python, allowed: cpp alone, because no installed library runs Python");
   }
   try {
     return factory();

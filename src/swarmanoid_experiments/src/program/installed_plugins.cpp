@@ -26,6 +26,9 @@ PluginOrigins loadInstalledPlugins() {
     origins[entry] = {};
   }
   for (const DeclaredLibrary& declared : declaredLibraries()) {
+    if (declared.is_built_in || !declared.scripts.empty()) {
+      continue;  // loaded, or without plugins of its own
+    }
     try {
       loadPluginLibrary(declared.library, {}, {"package " + declared.package, 0});
     } catch (const ConfigError& error) {

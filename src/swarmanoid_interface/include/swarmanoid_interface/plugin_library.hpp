@@ -30,6 +30,8 @@ struct DeclaredLibrary {
   std::string library;  ///< in the form that loadPluginLibrary accepts
   std::string package;
   std::vector<std::string> visualisations;  ///< their labels, which experiment files may name without the library
+  std::string scripts;                      ///< language of the controllers and rules that it runs; "": none
+  bool is_built_in = false;                 ///< loaded for every experiment
 };
 
 /// Returns all libraries that the packages of this installation, and of every prefix of CMAKE_PREFIX_PATH, declare,

@@ -1,18 +1,36 @@
 #include "swarmanoid_recording/output/run_files.hpp"
 
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid {
 
+namespace {
+
+/// Loads the library that declares the visualisation. @throws ConfigError if no package declares it
+void loadVisualisation(const std::string& label) {
+  for (const DeclaredLibrary& declared : declaredLibraries()) {
+    if (contains(declared.visualisations, label)) {
+      loadPluginLibrary(declared.library, {}, {});
+      return;
+    }
+  }
+  throw ConfigError({}, "found no library with the visualisation '" + label +
+                            "', allowed: one that share/swarmanoid/plugins/ "
+                            "declares");
+}
+
+}  // namespace
+
 std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment& experiment) {
   if (files.records_bag) {
-    loadPluginLibrary("swarmanoid_recording", {}, {});
+    loadVisualisation("rosbag_recorder");
   }
   if (files.records_trajectories) {
-    loadPluginLibrary("swarmanoid_trajectories", {}, {});
+    loadVisualisation("trajectory_recorder");
   }
   if (files.writes_frames) {
-    loadPluginLibrary("swarmanoid_rendering", {}, {});
+    loadVisualisation("opengl_render");
   }
   auto out = std::make_shared<OutFolder>(files.folder, files.prefix, files.rules);
   for (const std::string& file : experiment.files) {

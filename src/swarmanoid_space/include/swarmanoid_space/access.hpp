@@ -1,9 +1,9 @@
-/// What the plugins of a phase may write, apart from their own memory.
+/// Access objects: the parts of the space that plugins may write, by phase.
 ///
 /// Engines, sensors and actuators get the space const. Beside it they get one of these objects, whose members are the
-/// columns and lists that they may write in that phase. They cannot make one, because that takes a space that is not
-/// const: an engine that lights an LED does not compile. Neither does an access object with a column that its phase
-/// does not write, since a column names its phases in its type (WrittenIn).
+/// columns and lists that they may write in that phase. They cannot make one, because its constructor needs a space
+/// that is not const: an engine that lights an LED does not compile. Neither does an access object with a column of
+/// another phase, since a column names its phases in its type (WrittenIn).
 ///
 /// Cost     references only.
 /// Threads  an access object may be used by several threads, for different entities.
@@ -15,7 +15,7 @@
 
 namespace swarmanoid {
 
-/// Of sensors, when they report on the readings of a tick.
+/// For sensors that report on the readings of a tick.
 struct ReportAccess {
   explicit ReportAccess(Space& space) : events(space.events), overflows(space.overflows) {}
 
@@ -23,7 +23,7 @@ struct ReportAccess {
   std::vector<Overflow>& overflows;
 };
 
-/// Of controllers: in this process, in others, and topics.
+/// For commands of controllers, in this process and in others, and of topics.
 struct ControlAccess {
   explicit ControlAccess(Space& space)
       : commands(space.commands), controllers(writable<WrittenIn::kControl>(space.controllers)) {}
@@ -32,7 +32,7 @@ struct ControlAccess {
   ByRow<ControllerState>& controllers;
 };
 
-/// Of actuators, and of what stops robots.
+/// For actuators, and for safe stops.
 struct ActuateAccess {
   explicit ActuateAccess(Space& space)
       : wheels(writable<WrittenIn::kActuate>(space.wheels)),
@@ -50,7 +50,7 @@ struct ActuateAccess {
   ListByRow<double>& properties;  ///< of radio tags: their data (kTagData)
 };
 
-/// Of engines that move their entities.
+/// For engines that move their entities.
 struct MoveAccess {
   explicit MoveAccess(Space& space)
       : pose(writable<WrittenIn::kMove>(space.entities.pose)),
@@ -64,7 +64,7 @@ struct MoveAccess {
   ByRow<WheelTurns>& wheel_turns;
 };
 
-/// Of engines that make and break grips and attachments.
+/// For engines that make and break grips and attachments.
 struct ConnectAccess {
   explicit ConnectAccess(Space& space)
       : structure(space.structure), attachments(space.attachments), events(space.events) {}
@@ -74,7 +74,7 @@ struct ConnectAccess {
   std::vector<Event>& events;
 };
 
-/// Of actuators, once the engines have moved (Actuator::afterMove).
+/// For actuators, once the engines have moved (Actuator::afterMove).
 struct AfterMoveAccess {
   explicit AfterMoveAccess(Space& space)
       : laser_spots(space.laser_spots), wheel_turns(writable<WrittenIn::kConnect>(space.wheel_turns)) {}
@@ -83,7 +83,7 @@ struct AfterMoveAccess {
   ByRow<WheelTurns>& wheel_turns;
 };
 
-/// Of handovers.
+/// For handovers.
 struct HandOverAccess {
   explicit HandOverAccess(Space& space)
       : mover(writable<WrittenIn::kConnect>(space.mover)), entities_without_engine(space.entities_without_engine) {}
@@ -92,7 +92,7 @@ struct HandOverAccess {
   EntitiesWithoutEngine& entities_without_engine;
 };
 
-/// Of the batteries' phase.
+/// For the phase `power`.
 struct PowerAccess {
   explicit PowerAccess(Space& space)
       : batteries(writable<WrittenIn::kPower>(space.batteries)),

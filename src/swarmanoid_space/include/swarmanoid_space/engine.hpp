@@ -50,7 +50,7 @@ struct EngineHealth {
   std::vector<std::pair<std::string, std::string>> counters;  ///< name and value, since the start of the run
 };
 
-/// What an engine finds around its entities.
+/// The surroundings of the entities of an engine.
 struct EngineSurroundings {
   std::shared_ptr<const Terrain> terrain;  ///< the heightfield; null: level ground
   const Parallel* workers = nullptr;       ///< threads that `move` may use; they outlive the entities. Null: none

@@ -1,8 +1,8 @@
-/// What an engine can simulate. These functions change nothing; they are asked before an entity is added or handed
-/// over.
+/// The limits of an engine. The simulation asks for them before it adds an entity or hands it over; these functions
+/// change nothing.
 ///
 /// Phase    any except during `move`.
-/// Reasons  a text that names what is not supported; "" if nothing prevents it.
+/// Reasons  a text that names the unsupported part; "" if there is none.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// What rays may hit: the entities of an engine.
+/// The base class of targets of rays: the entities of an engine.
 ///
 /// Phase    any except during `move`.
 /// Threads  all functions are called from many threads.
