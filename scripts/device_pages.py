@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Writes the descriptions of the suite's devices into the pages of docs/reference/devices/.
 
-A page begins with the output of `swarmanoid describe` for the device and its default implementation, between two comments.
-The sections below are written by hand: Law, which defines how readings are computed or commands executed, and Topics. A device
-without a page gets one, with an empty law."""
+A page has the devices of one kind, each in a section. A section begins with the output of `swarmanoid describe` for the device and its
+default implementation, with headings one level lower, between two comments. The rest of the section is written by hand: Law, which
+defines how readings are computed or commands executed, and Topics. A device without a section gets one, with an empty law, in a page of
+its own."""
 
 import argparse
 import difflib
@@ -19,13 +20,16 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/reference/devices"
 BEGIN = "<!-- from the code, by scripts/device_pages.py -->\n"
 END = "<!-- by hand from here on -->\n"
-IN_COMMON = ("\nFrames, units, time, noise and errors: [what holds for all devices](../devices.md). `swarmanoid describe {}` has "
-             "the engines that execute it, and further implementations, if there are any.\n")
+NEW_PAGE = ("# {}\n\nFrames, units, time, noise and errors: [properties of all devices](../devices.md). `swarmanoid describe` also prints "
+            "the engines that\nexecute a device, and further implementations.\n")
+START = f"^(?:{re.escape(BEGIN)}\n*)?## "
+SECTION = re.compile(rf"{START}([^\n]+)\n.*?(?={START}|\Z)", re.M | re.S)
 IMPLEMENTATION = re.compile(r"^## Implementation .*?(?=^## |\Z)", re.M | re.S)
 DEFAULT = "- The default: an experiment that names none means this one\n"
 ENGINES = re.compile(r"^- Engines: .*\n", re.M)
 HEADER = re.compile(r"`((\w+)/\S+\.hpp)`$", re.M)
-LAW = re.compile(r"^## Law\n(.*?)(?=^## |\Z)", re.M | re.S)
+HEADING = re.compile(r"^#", re.M)
+LAW = re.compile(r"^### Law\n(.*?)(?=^### |\Z)", re.M | re.S)
 
 
 def described(build):
@@ -43,63 +47,82 @@ def by_device(text):
 
 def of_default(description):
     """A description without engines, and without implementations other than the default, so that adding one changes no page."""
-    description = re.sub(r"\n{3,}", "\n\n", ENGINES.sub("", description))
-    if len(IMPLEMENTATION.findall(description)) == 1:
-        return description
-    kept = IMPLEMENTATION.sub(lambda found: found[0].replace(DEFAULT, "") if DEFAULT in found[0] else "", description)
-    return kept.rstrip() + "\n"
+    description = ENGINES.sub("", description)
+    if len(IMPLEMENTATION.findall(description)) > 1:
+        description = IMPLEMENTATION.sub(lambda found: found[0].replace(DEFAULT, "") if DEFAULT in found[0] else "", description)
+    return re.sub(r"\n{3,}", "\n\n", description).rstrip() + "\n"
 
 
 def generated(description):
-    """The generated part of a page."""
-    name = re.match(r"# (\w+)\n", description)[1]
+    """The generated part of a section."""
     linked = HEADER.sub(r"[`\1`](../../../src/\2/include/\1)", of_default(description))
-    return f"{BEGIN}\n{linked}{IN_COMMON.format(name)}\n{END}"
+    return f"{BEGIN}\n" + HEADING.sub("##", linked) + f"\n{END}"
 
 
-def parts_of(page):
+def sections_of(folder):
+    """@return page, device and text of each section in the pages of a folder"""
+    return [(path, found[1], found[0]) for path in sorted(folder.glob("*.md")) for found in SECTION.finditer(path.read_text())]
+
+
+def parts_of(section):
     """@return the generated and the handwritten part; None if the comments are missing"""
-    found = re.fullmatch(f"({re.escape(BEGIN)}.*?{re.escape(END)})(.*)", page, re.S)
+    found = re.fullmatch(f"({re.escape(BEGIN)}.*?{re.escape(END)})(.*)", section, re.S)
     return found and found.groups()
+
+
+def section_problems(place, section, description, command):
+    """Messages about errors in the section of a device."""
+    parts = parts_of(section)
+    if parts is None:
+        return [f"{place}: found no part from the code, allowed: one between '{BEGIN.strip()}' before the heading and "
+                f"'{END.strip()}'; put both there and call {command}"]
+    found = []
+    difference = list(difflib.unified_diff(parts[0].splitlines(), generated(description).splitlines(), "the page", "the code",
+                                           n=0, lineterm=""))
+    if difference:
+        found.append("\n".join([f"{place}: found other than what the code says; made anew by {command}", *difference]))
+    law = LAW.search(parts[1])
+    if law is None or not law[1].strip():
+        found.append(f"{place}: found nothing under '### Law', allowed: by which law the simulator makes its readings or carries "
+                     "out its commands, with formulas, or that it is exact; to be written by hand")
+    return found
 
 
 def problems(descriptions, folder, command):
     """Messages about errors in the pages of a folder. @param command that writes the pages"""
     found = []
-    for name in sorted({path.stem for path in folder.glob("*.md")} - set(descriptions)):
-        found.append(f"{folder / name}.md: found no device '{name}' in the suite, allowed: pages of devices; delete it")
-    for name, description in sorted(descriptions.items()):
-        path = folder / f"{name}.md"
-        if not path.exists():
-            found.append(f"{path}: not there, allowed: a page for each device; made by {command}")
-            continue
-        parts = parts_of(path.read_text())
-        if parts is None:
-            found.append(f"{path}: found no part from the code, allowed: one between '{BEGIN.strip()}' in the first line and "
-                         f"'{END.strip()}'; put both there and call {command}")
-            continue
-        difference = list(difflib.unified_diff(parts[0].splitlines(), generated(description).splitlines(), "the page",
-                                               "the code", n=0, lineterm=""))
-        if difference:
-            found.append("\n".join([f"{path}: found other than what the code says; made anew by {command}", *difference]))
-        law = LAW.search(parts[1])
-        if law is None or not law[1].strip():
-            found.append(f"{path}: found nothing under '## Law', allowed: by which law the simulator makes its readings or carries "
-                         "out its commands, with formulas, or that it is exact; to be written by hand")
+    pages = {}
+    sections = sections_of(folder)
+    for path, name, section in sections:
+        place = f"{path}, section '{name}'"
+        if name not in descriptions:
+            found.append(f"{place}: found no device '{name}' in the suite, allowed: sections of devices; delete it")
+        elif name in pages:
+            found.append(f"{place}: found another one in {pages[name]}, allowed: one for each device; delete one of them")
+        else:
+            found += section_problems(place, section, descriptions[name], command)
+        pages.setdefault(name, path)
+    for path in sorted(set(folder.glob("*.md")) - {path for path, _, _ in sections}):
+        found.append(f"{path}: found no section of a device, allowed: pages of devices; delete it")
+    for name in sorted(set(descriptions) - set(pages)):
+        found.append(f"{folder}: found no section '{name}', allowed: one for each device; made in {name}.md by {command}")
     return found
 
 
 def rewrite(descriptions, folder):
     """Rewrites the generated parts. @return the pages that changed"""
-    changed = []
-    for name, description in sorted(descriptions.items()):
+    def renewed(section):
+        parts = parts_of(section[0])
+        return generated(descriptions[section[1]]) + parts[1] if parts and section[1] in descriptions else section[0]
+
+    before = {path: path.read_text() for path in folder.glob("*.md")}
+    after = {path: SECTION.sub(renewed, text) for path, text in before.items()}
+    for name in set(descriptions) - {name for _, name, _ in sections_of(folder)}:
         path = folder / f"{name}.md"
-        before = path.read_text() if path.exists() else f"{BEGIN}{END}\n## Law\n"
-        parts = parts_of(before)
-        after = parts and generated(description) + parts[1]
-        if parts and (after != before or not path.exists()):
-            path.write_text(after)
-            changed.append(path)
+        after[path] = after.get(path, NEW_PAGE.format(name)).rstrip() + f"\n\n{generated(descriptions[name])}\n### Law\n"
+    changed = sorted(path for path, text in after.items() if text != before.get(path))
+    for path in changed:
+        path.write_text(after[path])
     return changed
 
 
@@ -116,7 +139,7 @@ def main():
         print(f"{path}: written")
     wrong = problems(descriptions, PAGES, f"scripts/device_pages.py --build {arguments.build}")
     print("\n".join(wrong) if wrong else f"pages: {len(descriptions)} devices, all as the code says")
-    return 1 if wrong and arguments.check else 0  # a new page still needs its law
+    return 1 if wrong and arguments.check else 0  # a new section still needs its law
 
 
 if __name__ == "__main__":

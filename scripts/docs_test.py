@@ -28,11 +28,11 @@ from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
 
 # Pages whose shell commands are run; the page about workspaces takes minutes and is run by ./test --long
 RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/tutorial/swarm_in_python.md", "docs/how-to/add_a_controller.md",
-             "docs/how-to/add_a_device.md", "docs/how-to/add_a_robot.md", "docs/how-to/analyse_trajectories.md",
-             "docs/how-to/add_a_rule.md", "docs/how-to/add_a_visualisation.md",
+             "docs/how-to/add_a_device.md", "docs/how-to/add_a_robot.md", "docs/how-to/record_and_analyse.md",
+             "docs/how-to/add_a_rule_or_visualisation.md",
              "docs/how-to/add_an_arena_object.md", "docs/how-to/add_an_engine.md",
              "docs/how-to/hand_over_between_engines.md", "docs/how-to/control_a_run.md", "docs/how-to/drive_by_topics.md",
-             "docs/how-to/repeat_what_was_done.md", "docs/how-to/run_a_batch.md", "docs/how-to/evolve_a_controller.md",
+             "docs/how-to/repeat_and_compare_runs.md", "docs/how-to/run_a_batch.md", "docs/how-to/evolve_a_controller.md",
              "docs/how-to/make_pictures.md",
              "docs/how-to/measure_a_run.md",
              "docs/how-to/run_a_controller_elsewhere.md",

@@ -13,7 +13,7 @@ Traceback (most recent call last):
 swarmanoid.InterventionError: move is refused: position: found '90, 3, 0', allowed: in the arena, from 0, 0, 0 to 12.65, 12.65, 1
 
 docs/tutorial/swarm_in_python.md is an introduction, docs/how-to/simulate_in_python.md shows controllers, interventions and
-rules, docs/how-to/analyse_trajectories.md shows how to `load` recorded runs. Simulations in different threads run in parallel."""
+rules, docs/how-to/record_and_analyse.md shows how to `load` recorded runs. Simulations in different threads run in parallel."""
 
 from ._core import (Answer, Delete, Devices, Disc, ErrorModel, ExperimentError, FieldArrays, HandOver, InterventionError,
                     ListArrays, Move, Paint, Robots, RuleError, SetCommandSource, SetEngineParameters, SetFault, SetProperty, Simulation,

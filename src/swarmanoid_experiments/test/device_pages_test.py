@@ -34,6 +34,7 @@ class WriterTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         self.page = self.folder / "whistle.md"
+        self.section = f"{self.page}, section 'whistle'"
 
     def problems(self, description=WHISTLE):
         return device_pages.problems(device_pages.by_device(description), self.folder, COMMAND)
@@ -42,7 +43,7 @@ class WriterTest(unittest.TestCase):
         return device_pages.rewrite(device_pages.by_device(description), self.folder)
 
     def write_law(self):
-        self.page.write_text(self.page.read_text() + "\nAs loud as its field says.\n\n## Topics\n")
+        self.page.write_text(self.page.read_text() + "\nAs loud as its field says.\n\n### Topics\n")
 
     def assert_one_problem(self, start, *contained, description=WHISTLE):
         wrong = self.problems(description)
@@ -55,13 +56,36 @@ class WriterTest(unittest.TestCase):
         both = device_pages.by_device("# bell\n\nSensor.\n\n## Implementation `default`\n\n" + WHISTLE)
         self.assertEqual({"bell": "# bell\n\nSensor.\n\n## Implementation `default`\n", "whistle": WHISTLE}, both)
 
-    def test_a_device_without_a_page_gets_one_that_lacks_its_law(self):
-        self.assert_one_problem(f"{self.page}: not there", COMMAND)
+    def test_a_device_without_a_section_gets_one_that_lacks_its_law(self):
+        self.assert_one_problem(f"{self.folder}: found no section 'whistle'", COMMAND)
         self.assertEqual([self.page], self.rewrite())
-        self.assert_one_problem(f"{self.page}: found nothing under '## Law'")
+        self.assert_one_problem(f"{self.section}: found nothing under '### Law'")
         self.write_law()
         self.assertEqual([], self.problems())
         self.assertEqual([], self.rewrite(), "nothing is left to write")
+
+    def test_a_new_section_is_added_to_a_page_of_its_name(self):
+        both = WHISTLE + "# flute\n\nActuator. Plays.\n"
+        self.rewrite()
+        self.write_law()
+        self.page.rename(self.folder / "flute.md")
+        before = (self.folder / "flute.md").read_text()
+        self.assertEqual([self.folder / "flute.md"], self.rewrite(both))
+        self.assertTrue((self.folder / "flute.md").read_text().startswith(before))
+        self.assert_one_problem(f"{self.folder / 'flute.md'}, section 'flute': found nothing under '### Law'", description=both)
+
+    def test_sections_are_found_in_any_page_and_text_outside_them_stays(self):
+        both = WHISTLE + "\n# bell\n\nSensor. Rings.\n\n## Implementation `default`\n\nIt rings.\n"
+        intro = "# Sounds\n\nWhistles and bells.\n\n"
+        page = self.folder / "sounds.md"
+        sections = [f"{device_pages.BEGIN}\n## {name}\n\n{device_pages.END}\n### Law\n\nThat of {name}.\n" for name in ("whistle", "bell")]
+        page.write_text(intro + "\n".join(sections))
+        self.assertEqual([page], self.rewrite(both))
+        self.assertEqual([], self.problems(both))
+        text = page.read_text()
+        self.assertTrue(text.startswith(intro + device_pages.BEGIN), text)
+        self.assertIn(f"\nThat of whistle.\n\n{device_pages.BEGIN}\n## bell\n\nSensor. Rings.\n\n### Implementation `default`\n", text)
+        self.assertTrue(text.endswith("\n### Law\n\nThat of bell.\n"), text)
 
     def test_the_header_is_a_link_into_the_sources(self):
         self.rewrite()
@@ -72,7 +96,7 @@ class WriterTest(unittest.TestCase):
         self.rewrite()
         self.write_law()
         louder = WHISTLE.replace("a noise", "much noise")
-        self.assert_one_problem(f"{self.page}: found other than what the code says", COMMAND, "-Actuator. Makes a noise.",
+        self.assert_one_problem(f"{self.section}: found other than what the code says", COMMAND, "-Actuator. Makes a noise.",
                                 "+Actuator. Makes much noise.", description=louder)
         before = self.page.read_text()
         self.assertEqual([self.page], self.rewrite(louder))
@@ -96,16 +120,30 @@ class WriterTest(unittest.TestCase):
         self.assertNotIn("`one`", self.page.read_text())
         self.assertEqual([], self.problems(WHISTLE + loud.format("`one`, `two`")))
 
-    def test_a_page_of_no_device_is_told_of(self):
+    def test_a_page_of_no_device_is_reported(self):
         self.rewrite()
         self.write_law()
-        (self.folder / "trumpet.md").write_text("")
-        self.assert_one_problem(f"{self.folder / 'trumpet.md'}: found no device 'trumpet'")
+        trumpet = self.folder / "trumpet.md"
+        trumpet.write_text("")
+        self.assert_one_problem(f"{trumpet}: found no section of a device")
+        trumpet.write_text("# trumpet\n\n## trumpet\n\n### Law\n")
+        self.assert_one_problem(f"{trumpet}, section 'trumpet': found no device 'trumpet'")
 
-    def test_a_page_without_the_comments_is_told_of_and_not_touched(self):
-        self.page.write_text("# whistle\n\n## Law\n\nIt whistles.\n")
-        self.assertEqual([], self.rewrite())
-        self.assert_one_problem(f"{self.page}: found no part from the code", COMMAND)
+    def test_a_second_section_of_a_device_is_reported(self):
+        self.rewrite()
+        self.write_law()
+        copy = self.folder / "z.md"
+        shutil.copy(self.page, copy)
+        self.assert_one_problem(f"{copy}, section 'whistle': found another one in {self.page}")
+
+    def test_a_section_without_the_comments_is_reported_and_not_touched(self):
+        for text in ("## whistle\n\n### Law\n\nIt whistles.\n", f"{device_pages.BEGIN}\n## whistle\n\n### Law\n\nIt whistles.\n",
+                     f"## whistle\n{device_pages.END}\n### Law\n\nIt whistles.\n"):
+            with self.subTest(text):
+                self.page.write_text(text)
+                self.assertEqual([], self.rewrite())
+                self.assertEqual(text, self.page.read_text())
+                self.assert_one_problem(f"{self.section}: found no part from the code", COMMAND)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "page_sections.hpp"
 #include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/error_models/error_model.hpp"
@@ -25,8 +26,10 @@ std::string textOf(const std::filesystem::path& path) {
 
 std::string page() { return textOf(PAGE); }
 
-/// Folder with a page for each arena object.
-std::filesystem::path arenaObjectPages() { return std::filesystem::path(PAGE).parent_path() / "arena_objects"; }
+/// The section of each arena object, in the pages of its folder.
+std::unordered_map<std::string, std::string> arenaObjectSections() {
+  return test::pageSections(std::filesystem::path(PAGE).parent_path() / "arena_objects");
+}
 
 /// The entity types other than robots.
 std::vector<const Registry::Entry*> arenaObjects() {
@@ -46,10 +49,10 @@ std::shared_ptr<const EntityModel> someModel(const Registry::Entry& entry) {
   return makePlugin<EntityType>(entry)->makeModel(parameters);
 }
 
-/// The table row that starts with a name, in a section of a page; "" if there is none.
-std::string rowOf(const std::string& text, const std::string& section, const std::string& name) {
-  const std::size_t begin = text.find("\n## " + section + "\n");
-  const std::string part = begin == std::string::npos ? "" : text.substr(begin, text.find("\n## ", begin + 1) - begin);
+/// The table row that starts with a name, after a heading of level 2 or 3; "" if there is none.
+std::string rowOf(const std::string& text, const std::string& heading, const std::string& name) {
+  const std::size_t begin = text.find("## " + heading + "\n");
+  const std::string part = begin == std::string::npos ? "" : text.substr(begin, text.find("\n##", begin) - begin);
   const std::size_t row = part.find("\n| `" + name + "` |");
   return row == std::string::npos ? "" : part.substr(row + 1, part.find('\n', row + 1) - row - 1);
 }
@@ -112,26 +115,27 @@ TEST(ExperimentPageTest, NamesAllThatTheSuiteBrings) {
   }
 }
 
-TEST(ArenaObjectPagesTest, EachArenaObjectOfTheSuiteHasOne) {
+TEST(ArenaObjectPagesTest, EachArenaObjectOfTheSuiteHasASection) {
   loadBuiltInPlugins();
-  std::set<std::string> pages;
-  for (const auto& entry : std::filesystem::directory_iterator(arenaObjectPages())) {
-    pages.insert(entry.path().stem().string());
+  auto sections = arenaObjectSections();
+  std::set<std::string> found;
+  for (const auto& section : sections) {
+    found.insert(section.first);
   }
   std::set<std::string> objects;
   for (const Registry::Entry* entry : arenaObjects()) {
     objects.insert(entry->description.label);
-    const std::string text = textOf(arenaObjectPages() / (entry->description.label + ".md"));
-    EXPECT_EQ(text.rfind("# " + entry->description.label + "\n\n" + entry->description.summary + "\n", 0), 0U)
+    EXPECT_EQ(sections[entry->description.label].rfind("\n" + entry->description.summary + "\n", 0), 0U)
         << entry->description.label << ": " << entry->description.summary;
   }
-  EXPECT_EQ(pages, objects);
+  EXPECT_EQ(found, objects);
 }
 
 TEST(ArenaObjectPagesTest, TheyHaveEachParameterAndProperty) {
   loadBuiltInPlugins();
+  auto sections = arenaObjectSections();
   for (const Registry::Entry* entry : arenaObjects()) {
-    const std::string text = textOf(arenaObjectPages() / (entry->description.label + ".md"));
+    const std::string& text = sections[entry->description.label];
     for (const Parameter& parameter : entry->description.parameters) {
       const std::string start = "| `" + parameter.name + "` | " + parameter.value.value_or("required") + " | " +
                                 (parameter.unit.empty() ? "" : parameter.unit + " ") + "| ";

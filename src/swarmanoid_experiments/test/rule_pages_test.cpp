@@ -1,10 +1,10 @@
-// Every rule of the suite has a page that contains each of its values and metrics with the description in the code, and
-// there are no other pages.
+// Every rule of the suite has a section of a page that contains each of its values and metrics with the description in
+// the code, and there are no other sections.
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
+#include "page_sections.hpp"
 #include "swarmanoid_experiment_files/read_experiment.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/rule.hpp"
@@ -54,29 +54,29 @@ std::shared_ptr<Rule> configured(const Registry::Entry& entry) {
   return rule;
 }
 
-/// The table row that starts with this name; "" if there is none.
-std::string rowOf(const std::string& page, const std::string& name) {
+/// The table row of a section that starts with this name; "" if there is none.
+std::string rowOf(const std::string& section, const std::string& name) {
   const std::string start = "\n| `" + name + "` |";
-  const std::size_t row = page.find(start);
-  return row == std::string::npos ? "" : page.substr(row + 1, page.find('\n', row + 1) - row - 1);
+  const std::size_t row = section.find(start);
+  return row == std::string::npos ? "" : section.substr(row + 1, section.find('\n', row + 1) - row - 1);
 }
 
 TEST(RulePagesTest, NameEveryValueAndEveryMetric) {
   ASSERT_FALSE(rules().empty());
+  auto sections = test::pageSections(pages());
   for (const Registry::Entry* entry : rules()) {
     const std::string& label = entry->description.label;
-    std::ifstream file(pages() / (label + ".md"));
-    const std::string page(std::istreambuf_iterator<char>(file), {});
-    EXPECT_EQ(page.rfind("# " + label + "\n\nRule. " + entry->description.summary, 0), 0U) << label;
+    const std::string& section = sections[label];
+    EXPECT_EQ(section.rfind("\n" + entry->description.summary, 0), 0U) << label;
     for (const Parameter& parameter : entry->description.parameters) {
-      const std::string row = rowOf(page, parameter.name);
+      const std::string row = rowOf(section, parameter.name);
       EXPECT_NE(row.find("| " + parameter.value.value_or("required") + " |"), std::string::npos) << row;
       EXPECT_NE(row.find("| " + parameter.description + " |"), std::string::npos)
           << label << ": " << parameter.name << ": " << row;
     }
     const auto rule = configured(*entry);
     for (const Metric& metric : rule->metrics()) {
-      const std::string row = rowOf(page, metric.name.substr(std::string("r.").size()));
+      const std::string row = rowOf(section, metric.name.substr(std::string("r.").size()));
       EXPECT_NE(row.find("| " + metric.description + " |"), std::string::npos)
           << label << ": " << metric.name << ": " << row;
       EXPECT_NE(row.find(metric.unit.empty() ? "| |" : "| " + metric.unit + " |"), std::string::npos) << row;
@@ -86,8 +86,8 @@ TEST(RulePagesTest, NameEveryValueAndEveryMetric) {
 
 TEST(RulePagesTest, AreOfRulesThatThereAre) {
   rules();
-  for (const auto& page : fs::directory_iterator(pages())) {
-    EXPECT_NE(Registry::instance().find(PluginKind::kRule, page.path().stem()), nullptr) << page.path();
+  for (const auto& section : test::pageSections(pages())) {
+    EXPECT_NE(Registry::instance().find(PluginKind::kRule, section.first), nullptr) << section.first;
   }
 }
 

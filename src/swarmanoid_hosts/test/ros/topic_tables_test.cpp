@@ -1,4 +1,4 @@
-// The sections Topics in the pages of docs/reference/devices/ have the same content as the table of device topics.
+// The sections Topics of devices in docs/reference/devices/ have the same content as the table of device topics.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,30 +16,30 @@ namespace {
 
 using Rows = std::vector<std::string>;
 
-/// The rows of a page's section Topics, without its heading.
-Rows rowsOf(const std::filesystem::path& page) {
+/// Adds the rows of the sections Topics of a page, without their headings, by device.
+void addRowsOf(const std::filesystem::path& page, std::map<std::string, Rows>& rows) {
+  static const std::string device_heading = "## ";
   std::ifstream file(page);
   EXPECT_TRUE(file) << page;
-  Rows rows;
+  std::string device;
   bool is_in_section = false;
   for (std::string line; std::getline(file, line);) {
-    if (line.rfind("## ", 0) == 0) {
-      is_in_section = line == "## Topics";
+    if (line.rfind(device_heading, 0) == 0) {
+      device = line.substr(device_heading.size());
+      is_in_section = false;
+    } else if (line.rfind("### ", 0) == 0) {
+      is_in_section = line == "### Topics";
     } else if (is_in_section && line.rfind("| `", 0) == 0) {
-      rows.push_back(line);
+      rows[device].push_back(line);
     }
   }
-  return rows;
 }
 
-/// Returns the rows of all pages that have some, by device.
+/// Returns the rows of all devices that have some, by device.
 std::map<std::string, Rows> tables() {
   std::map<std::string, Rows> result;
   for (const auto& page : std::filesystem::directory_iterator(PAGES)) {
-    const Rows rows = rowsOf(page.path());
-    if (!rows.empty()) {
-      result[page.path().stem()] = rows;
-    }
+    addRowsOf(page.path(), result);
   }
   return result;
 }
@@ -63,7 +63,7 @@ TEST(TopicTables, NameTopicTypeAndFrameOfEachDevice) {
     }
   }
   for (const auto& [device, topics] : expected) {
-    EXPECT_EQ(topics, found[device]) << PAGES << "/" << device << ".md, section Topics, the main topic first";
+    EXPECT_EQ(topics, found[device]) << PAGES << ", topics of " << device << ", the main topic first";
     found.erase(device);
   }
   EXPECT_TRUE(found.empty()) << "no topics, or no device: " << found.begin()->first;

@@ -11,7 +11,7 @@
 ///          requested by InterventionQueue::ask.
 /// Repeats  a rule draws from random() and keeps no state across a reset, so that runs can be reproduced.
 ///
-/// To add one: derive, end with REGISTER_RULE; docs/how-to/add_a_rule.md.
+/// To add one: derive, end with REGISTER_RULE; docs/how-to/add_a_rule_or_visualisation.md.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// `swarmanoid describe`: the documentation of devices in the code, as Markdown. Each page in docs/reference/devices/
-// starts with it.
+// `swarmanoid describe`: the documentation of devices in the code, as Markdown. Each section of a device in
+// docs/reference/devices/ starts with it, its headings one level lower.
 #include <algorithm>
 #include <cmath>
 #include <map>
