@@ -16,12 +16,12 @@ LIMITS = {
     "whoever": 0,
     "nobody": 9,
     "somebody": 1,
-    "everybody": 2,
-    "likewise": 9,
+    "everybody": 0,
+    "likewise": 0,
     "told": 0,
-    "what is": 46,
+    "what is": 5,
     "what has": 0,
-    "who is": 3,
+    "who is": 1,
     "who has": 0,
 }
 STRING = r'"(?:\\.|[^"\\\n])*"' + r"|'(?:\\.|[^'\\\n])*'"

@@ -3,7 +3,8 @@
 
 Unity builds are checked per unit. A unit is skipped if its preprocessed text, its checks and the version of clang-tidy are those
 of its last pass, which BUILD_FOLDER/tidy_passed stores. --since restricts the check to units with a source whose code has
-changed since the last commit before that date; comments do not count. The date has the format of `git log --since`."""
+changed since the last commit before that date; comments, includes and a new place of a file do not count. The date has the format of
+`git log --since`."""
 
 import argparse
 import concurrent.futures
@@ -41,7 +42,8 @@ def fingerprint(unit, checks):
 
 
 def code_of(text):
-    """@return a C++ file without layout and comments, except those that disable checks"""
+    """@return a C++ file without layout, includes, and comments, except those that disable checks"""
+    text = re.sub(r'^ *#include [<"].*', "", text, flags=re.M)
     without = C_TOKEN.sub(lambda token: " " if token["comment"] and "NOLINT" not in token.group() else token.group(), text)
     return without.split()
 
@@ -55,9 +57,9 @@ def changed_since(date):
     before = git("rev-list", "-1", f"--before={date}", "HEAD").strip()
     if not before:
         return None
-    changed = git("diff", "--name-only", before, "--", "*.cpp").split()
-    return {path for path in changed if (ROOT / path).exists()
-            and code_of(git("show", f"{before}:{path}")) != code_of((ROOT / path).read_text())}
+    rows = [row.split("\t") for row in git("diff", "--name-status", "-M40%", "-l0", before, "--", "*.cpp").splitlines()]
+    return {row[-1] for row in rows if (ROOT / row[-1]).exists()
+            and code_of(git("show", f"{before}:{row[1]}")) != code_of((ROOT / row[-1]).read_text())}
 
 
 def main():

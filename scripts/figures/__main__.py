@@ -20,6 +20,7 @@ import python_bindings
 import robots
 import robustness
 import simulation
+import structure
 import studies
 import study_processes
 import under_ros
@@ -55,6 +56,7 @@ FIGURES = {
     "threads": lambda table, build: simulation.threads(table),
     "start_up": lambda table, build: simulation.start_up(table),
     "devices": devices.devices,
+    "structure": structure.structure,
     "python_at_once": lambda table, build: python_bindings.python_at_once(table),
     "python_alone": lambda table, build: python_bindings.python_alone(table),
     "python_memory": lambda table, build: python_bindings.python_memory(table),

@@ -8,7 +8,7 @@ import sys
 from long_tests import last_word
 from table import ROOT
 
-CODE = ("interface", "hosts", "space", "engines")  # packages, with the mocks
+CODE = ("interface", "hosts", "space", "engines", "experiment_files", "recording", "ros")  # packages, with the mocks
 NOT_CODE = {"test", "testing", "benchmark"}
 
 
@@ -21,8 +21,8 @@ def adding(table, build):
             if "new files" in line or line.startswith(("Ran ", "OK", "FAILED"))]
     table.add("a ring of light sensors for the footbot and a second implementation of its proximity sensors, added to a copy of the suite "
               "as the pages say: simulator, topic, Python, mock, schema, list, page, errors; then an arena object with a property, a sensor of it "
-              "and a rule",
-              "at most 5, 2 and 8 new files, no other edited", "; ".join(seen), done.returncode == 0)
+              "and a rule; then a robot, an engine and a message",
+              "at most 5, 2, 8 and 3 new files, no other edited", "; ".join(seen), done.returncode == 0)
 
 
 def errors(table, build):

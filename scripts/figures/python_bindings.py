@@ -58,7 +58,7 @@ def make(count):
         controllers = {"dc": controller} if controller else {}
         swarmanoid.Simulation(text=text, seed=i, controllers=controllers, rules={"count": Count()}).tick(2)
 
-make(1000)   # what is kept for ever is made by then
+make(1000)   # permanent objects exist by then
 before = resident()
 make(10000)
 print(repr(resident() - before))

@@ -14,7 +14,7 @@ from swarmanoid_python import Participant
 WHEEL_RADIUS = 0.029      # [m]
 WHEEL_SEPARATION = 0.140  # [m]
 TURN_RATE = 1.5           # [rad/s]
-HALF_FIELD = 1.5          # [rad]; what is farther to the side does not count
+HALF_FIELD = 1.5          # [rad]; objects farther to the side do not count
 SENSORS = 24
 STEP = 6.283185307179586 / SENSORS
 ANGLES = [(i if i <= SENSORS // 2 else i - SENSORS) * STEP for i in range(SENSORS)]

@@ -165,7 +165,7 @@ TEST(RfidTest, WhatIsWrittenIsReadInTheNextTickAndIsInTheHashOfTheState) {
 /// A tag of a package: on an entity with shapes, and with a smaller range of data.
 std::shared_ptr<EntityModel> smallTag() {
   auto model = std::make_shared<EntityModel>(*cylindricPreyModel(0.03, 0.1));
-  model->properties = {{kTagData, "", "What it holds.", {0.0, 255.0}, 17.0}, {kTag, "", "Its id.", kTagRange, 6.0}};
+  model->properties = {{kTagData, "", "Content.", {0.0, 255.0}, 17.0}, {kTag, "", "Its id.", kTagRange, 6.0}};
   return model;
 }
 

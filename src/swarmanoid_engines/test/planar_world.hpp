@@ -10,6 +10,7 @@
 
 #include "carry_out.hpp"
 #include "swarmanoid_experiment_files/robots/robot_model.hpp"
+#include "swarmanoid_space/access.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {

@@ -72,8 +72,8 @@ void measureRule(benchmark::State& state, const std::string& rule, double area_e
     simulation->tick();
     const PhaseTimes& times = simulation->phaseTimes();
     of_rule += times.rule;
-    of_all += times.sense + times.control + times.actuate + times.move + times.connect + times.index + times.rule +
-              times.show;
+    of_all += times.sense + times.control + times.actuate + times.move + times.connect + times.index + times.power +
+              times.rule + times.show;
   }
   state.counters["rule_share"] = of_rule / of_all;
   state.counters["rule_us"] = 1e6 * of_rule / static_cast<double>(state.iterations());

@@ -108,8 +108,8 @@ void run(benchmark::State& state, const Devices& devices) {
     simulation.tick();
     const PhaseTimes& times = simulation.phaseTimes();
     of_sensing += times.sense;
-    of_all += times.sense + times.control + times.actuate + times.move + times.connect + times.index + times.rule +
-              times.show;
+    of_all += times.sense + times.control + times.actuate + times.move + times.connect + times.index + times.power +
+              times.rule + times.show;
   }
   state.counters["sense_share"] = of_sensing / of_all;
   state.SetItemsProcessed(state.iterations() * kRobots);

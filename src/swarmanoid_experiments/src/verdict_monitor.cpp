@@ -14,7 +14,7 @@ class VerdictMonitor final : public Observer {
   static PluginDescription describe() {
     PluginDescription description;
     description.label = "verdict_monitor";
-    description.summary = "Ends the run when all robots that give a verdict have given it, and says what they say.";
+    description.summary = "Ends the run when all robots with a verdict have given it, and reports their verdicts.";
     using Type = Parameter::Type;
     description.parameters = {
         makeParameter("key", Type::kText, "", "conformance", {}, "The debug value that is a robot's verdict."),

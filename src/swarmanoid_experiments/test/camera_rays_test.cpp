@@ -59,7 +59,7 @@ void turnArms(Space& space, std::mt19937_64& random) {
       std::uniform_real_distribution<double> angle(model.joints[k].lower, model.joints[k].upper);
       space.joints[row][k].angle = angle(random);
     }
-    space.mover[row]->place(space, row);
+    const_cast<Engine*>(space.mover[row])->place(space, row);  // as the simulation does after a move from outside
   }
 }
 

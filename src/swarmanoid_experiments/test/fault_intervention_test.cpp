@@ -134,8 +134,8 @@ TEST(FaultInterventionTest, PlayedFromAFileItHasTheBitsOfTheSameAskedForByCode) 
     written += toXml(each.taken, 1);
   }
   auto once_more = twoRobots("3").make();
-  once_more->play(
-      {parseInterventions(written + interventionsEnd(), "w.xml", once_more->experiment()), AskedByRules::kLeftOut});
+  once_more->play({parseInterventions(written + interventionsEnd(), "w.xml", once_more->experiment()).interventions,
+                   AskedByRules::kLeftOut});
   FaultyRun from_file(std::move(once_more));
   FaultyRun asked(twoRobots("3"));
   std::vector<std::uint64_t> expected;

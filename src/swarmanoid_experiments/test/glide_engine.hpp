@@ -35,7 +35,9 @@ class GlideEngine : public Engine {
     });
     return found == held_.end() ? kNoRow : found->row;
   }
-  std::string unsupportedStateReason(const Space&, Row) const override { return ""; }
+  std::string unsupportedStateReason(const Space& space, Row row) const override {
+    return unsupportedAttachmentReason(space, row);
+  }
   void add(const Space&, Row row, Role role) override { held_.push_back({row, role}); }
   void remove(const Space&, Row row) override {
     const auto is_it = [row](const Held& held) { return held.row == row; };

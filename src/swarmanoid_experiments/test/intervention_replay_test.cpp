@@ -3,6 +3,7 @@
 
 #include "lockstep_world.hpp"
 #include "random_interventions.hpp"
+#include "swarmanoid_experiment_files/interventions/intervention_file.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
 #include "swarmanoid_recording/output/out_folder.hpp"
 #include "swarmanoid_recording/output/run_files.hpp"
@@ -26,7 +27,8 @@ class RuledReplayTest : public testing::Test {
 
   std::unique_ptr<Simulation> replayed(const World& world, AskedByRules asked_by_rules = AskedByRules::kLeftOut) const {
     auto simulation = world.make();
-    simulation->play({readInterventions(owner.path() / "done.xml", simulation->experiment()), asked_by_rules});
+    simulation->play(
+        {readInterventions(owner.path() / "done.xml", simulation->experiment()).interventions, asked_by_rules});
     simulation->start();
     return simulation;
   }
@@ -159,7 +161,7 @@ TEST_F(RuledReplayTest, ARefusedOneEndsTheRunWithFileLineTickAndReason) {
   const std::string text =
       "<interventions>\n<command_source tick='1' robot='fb' source='none'/>\n<delete tick='3' entity='gone'/>\n"
       "</interventions>";
-  simulation->play({parseInterventions(text, "f.xml", simulation->experiment()), AskedByRules::kLeftOut});
+  simulation->play({parseInterventions(text, "f.xml", simulation->experiment()).interventions, AskedByRules::kLeftOut});
   simulation->start();
   tick(*simulation, 3);
   try {

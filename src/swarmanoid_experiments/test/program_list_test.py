@@ -6,7 +6,7 @@ import re
 import unittest
 import xml.etree.ElementTree
 
-from program_world import FINISHED, ProgramTest
+from program_world import BAD_INPUT, FINISHED, ProgramTest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGE = ROOT / "docs/reference/experiment_file.md"
@@ -92,6 +92,16 @@ class ListTest(ProgramTest):
         warning = "^swarmanoid: warning: package my_package: "
         self.assertRegex(lines[0], warning + "library 'broken' cannot be loaded: .*too short")
         self.assertRegex(lines[1], warning + "library 'gone': found no libgone.so in ")
+
+    def test_only_the_suite_s_packages_have_libraries_that_are_loaded_for_every_experiment(self):
+        declared = self.folder / "share/swarmanoid/plugins"
+        declared.mkdir(parents=True)
+        self.put_before_prefixes()
+        for package, code in (("my_package", FINISHED), ("swarmanoid_more", BAD_INPUT)):
+            (declared / "gone").write_text(f"{package}\nloaded always\n")
+            done = self.call("schema", "--suite")
+            self.assertEqual(done.returncode, code, done.stderr)
+        self.assertRegex(done.stderr, "^swarmanoid: package swarmanoid_more: library 'gone': found no libgone.so in ")
 
 
 if __name__ == "__main__":

@@ -39,7 +39,8 @@ class RecordTest : public testing::Test {
   static std::unique_ptr<Simulation> again(const RecordedRun& run) {
     auto simulation = std::make_unique<Simulation>(experimentOf(run));
     const Experiment& experiment = simulation->experiment();
-    simulation->play({withoutThoseOfRules(interventionsOf(run, experiment), experiment), AskedByRules::kPlayed});
+    simulation->play(
+        {withoutThoseOfRules(interventionsOf(run, experiment), experiment).interventions, AskedByRules::kPlayed});
     simulation->start();
     return simulation;
   }

@@ -1,7 +1,9 @@
 # swarmanoid_declare_plugins(LIBRARY [BUILT_IN] [SCRIPTS LANGUAGE] [VISUALISATIONS LABEL...]): declares that lib<LIBRARY>.so
 # has plugins, so that `swarmanoid list` lists them. swarmanoid_add_plugins and swarmanoid_add_controller call it
-# themselves. Experiment files may use the LABELs without library="LIBRARY": the library is loaded for them. A library
-# that is BUILT_IN is loaded for every experiment. One with SCRIPTS runs controllers and rules in that language.
+# themselves. Experiment files may use the LABELs without library="LIBRARY": the library is loaded for them.
+#
+# Two options are for packages of the suite, whose names start with swarmanoid_: a library that is BUILT_IN is loaded for
+# every experiment; one with SCRIPTS runs controllers and rules in that language.
 #
 # The declaration is share/swarmanoid/plugins/<LIBRARY> in the devel and the install space; it holds the package's name,
 # then lines "loaded always", "scripts LANGUAGE" and "visualisation LABEL".

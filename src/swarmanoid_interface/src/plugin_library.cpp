@@ -75,7 +75,7 @@ DeclaredLibrary readDeclaration(const fs::path& file) {
     } else if (kind == "scripts") {
       declared.scripts = value;
     } else if (kind == "loaded") {
-      declared.is_built_in = value == "always";
+      declared.is_built_in = value == "always" && declared.isOfSuite();
     }
   }
   return declared;

@@ -239,9 +239,9 @@ TEST(DeviceTypeTest, NamesSayHowManyNumbersAnElementHas) {
 
 TEST(DeviceTypeTest, FieldsThatSayNothingMeanWhatTheyAreIn) {
   const std::vector<FieldDescription>& camera = findDeviceType("footbot_camera")->fields;
-  EXPECT_EQ("of the thing that is seen", camera[2].meaning) << "blue, of a colour";
+  EXPECT_EQ("of the blob", camera[2].meaning) << "blue, of a colour";
   EXPECT_EQ("horizontal, from the camera's vertical axis; NaN if it cannot know", camera[4].meaning) << "its own";
-  EXPECT_EQ("more was in sight than is reported; what is farthest is left out", camera[7].meaning);
+  EXPECT_EQ("more blobs were in sight than reported; the farthest are left out", camera[7].meaning);
   const std::vector<FieldDescription>& winch = findDeviceType("winch_of_a_test")->fields;
   EXPECT_EQ("on one axle", winch[0].meaning) << "elements of an array";
   EXPECT_EQ("", winch[1].meaning);

@@ -17,7 +17,7 @@ class FootbotGripperActuator final : public HolderActuator<FootbotGripperActuato
     description.is_default = true;
     description.mechanisms = {holder(kHolders[0])};
     description.implementation_aliases = {"dummy_footbot_gripper"};
-    description.summary = "Closes the gripper on what it reaches, or opens it.";
+    description.summary = "Closes the gripper on an object within reach, or opens it.";
     return description;
   }
 

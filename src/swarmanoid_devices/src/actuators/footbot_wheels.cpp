@@ -12,9 +12,9 @@ class FootbotWheelsActuator : public WheelSpeedActuator<FootbotWheelsActuator, F
     PluginDescription description =
         describeDrive("Angular velocities of the two treels, limited to the motors' maximum.");
     description.implementation_aliases = {"dummy_footbot_wheels"};
-    description.parameters = {number("noise", "", "0", {0.0, 1.0},
-                                     "Standard deviation of the factor that each wheel's speed is multiplied with; a "
-                                     "wheel that stands still has none.")};
+    description.parameters = {
+        number("noise", "", "0", {0.0, 1.0},
+               "Standard deviation of a factor on each wheel's speed; a wheel at rest is not affected.")};
     return description;
   }
 

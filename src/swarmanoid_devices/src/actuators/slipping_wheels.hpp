@@ -30,11 +30,11 @@ class SlippingDrive final : public Drive {
     description.implementation_aliases.clear();
     description.summary += " On the ground they slip.";
     const Range any{0.0, 1.0 - kLeastGrip};
-    description.parameters = {
-        number("slip_left", "", "0.05", any, "Share of what the left wheel turns by which the robot does not advance."),
-        number("slip_right", "", "0.05", any, "Likewise of the right wheel."),
-        number("slip_noise", "", "0.02", {0.0, 1.0},
-               "Standard deviation of each of these shares, drawn anew in each tick.")};
+    description.parameters = {number("slip_left", "", "0.05", any,
+                                     "Slip of the left wheel: share of its rotation that does not move the robot."),
+                              number("slip_right", "", "0.05", any, "Slip of the right wheel."),
+                              number("slip_noise", "", "0.02", {0.0, 1.0},
+                                     "Standard deviation of each of these shares, drawn anew in each tick.")};
     return description;
   }
 

@@ -21,10 +21,10 @@ class Batteries {
   template <class AddMetric>
   void configure(const std::string& robot, AddMetric add) {
     robot_ = robot;
-    mean_level_ = &add("mean_level", "J", "What is in a robot's battery, in the mean over the robots.");
+    mean_level_ = &add("mean_level", "J", "Charge of a robot's battery, in the mean over the robots.");
     empty_ = &add("empty", "", "Robots that are empty now, and wait for charge.");
     ran_empty_ = &add("ran_empty", "", "How often a robot ran empty.");
-    drained_ = &add("drained", "J", "What robots have used.");
+    drained_ = &add("drained", "J", "Energy that robots have used.");
   }
 
   void clear() { robots_.clear(); }

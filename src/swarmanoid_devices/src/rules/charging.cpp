@@ -175,13 +175,13 @@ PluginDescription Charging::describe() {
   };
   PluginDescription description;
   description.label = "charging";
-  description.summary = "Charges robots beside perches, or under those that they hold on to.";
+  description.summary = "Charges robots beside perches, or attached under them.";
   description.parameters = {
-      makeParameter("robot", Type::kText, "", "", {}, "What the names of the robots begin with; empty: all."),
+      makeParameter("robot", Type::kText, "", "", {}, "Name prefix of the robots; empty: all."),
       number("power", "W", "50", kPowerRange, "That a perch gives to a robot."),
       number("reach", "m", "0.3", {0.0, 100.0}, "Between the origins of robot and perch, seen from above."),
-      number("interval", "s", "1", {0.001, 3600.0}, "From one time that perches look who is there to the next."),
-      number("ready", "J", "200", kChargeRange, "With which a perch that was empty gives again."),
+      number("interval", "s", "1", {0.001, 3600.0}, "Time between two searches for robots at perches."),
+      number("ready", "J", "200", kChargeRange, "Charge at which an empty perch resumes charging."),
       color("free_color", "green", "Of a perch that charges no robot."),
       color("taken_color", "yellow", "Of one that charges a robot."),
       color("empty_color", "red", "Of one that was empty, until it is ready.")};
@@ -200,8 +200,8 @@ void Charging::configure(const Configuration& parameters) {
     return addMetric(name, unit, text);
   };
   batteries_.configure(parameters.text("robot"), add);
-  given_ = &addMetric("given", "J", "What perches have given to robots.");
-  supplied_ = &addMetric("supplied", "J", "What perches have been charged with.");
+  given_ = &addMetric("given", "J", "Energy that perches have given to robots.");
+  supplied_ = &addMetric("supplied", "J", "Energy supplied to perches.");
 }
 
 }  // namespace

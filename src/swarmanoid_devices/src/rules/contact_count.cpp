@@ -17,7 +17,7 @@ class ContactCount final : public MeasuringRule {
   static PluginDescription describe() {
     PluginDescription description;
     description.label = "contact_count";
-    description.summary = "Counts the robots that touch each other, and objects.";
+    description.summary = "Counts contacts of robots with each other and with objects.";
     description.parameters =
         withParameters({number("gap", "m", "0.001", {0.0, 1.0}, "Between bodies, up to which they touch.")});
     return description;
@@ -32,11 +32,11 @@ class ContactCount final : public MeasuringRule {
 
   void read(const Configuration& parameters) override {
     gap_ = parameters.number("gap");
-    robot_pairs_ = &addMetric("robot_pairs", "", "Pairs of robots that touch each other.");
-    object_pairs_ = &addMetric("object_pairs", "", "Pairs of a robot and an object that touch each other.");
+    robot_pairs_ = &addMetric("robot_pairs", "", "Pairs of robots in contact.");
+    object_pairs_ = &addMetric("object_pairs", "", "Pairs of a robot and an object in contact.");
     touching_ = &addMetric("touching", "", "Robots that touch a robot or an object.");
-    collisions_ = &addMetric("collisions", "", "How often a robot came to touch something that had touched nothing.");
-    time_ = &addMetric("time", "s", "For how long a robot has touched something, in the mean over the robots.");
+    collisions_ = &addMetric("collisions", "", "How often a robot without contact came into contact.");
+    time_ = &addMetric("time", "s", "Time in contact, in the mean over the robots.");
   }
 
   void start(const Space&) override {

@@ -33,7 +33,7 @@ class DistanceTo final : public MeasuringRule {
     description.summary = "Measures how far robots are from a place, a line, or the nearest entity of a kind.";
     description.parameters = withParameters({makeParameter(
         "to", Parameter::Type::kText, "", std::nullopt, {},
-        "What they are measured to: x, y of a place, x, y, x, y of the ends of a line, or an entity type.")});
+        "Target of the distances: x, y of a place, x, y, x, y of the ends of a line, or an entity type.")});
     return description;
   }
 

@@ -13,7 +13,7 @@ class EnergyUse final : public MeasuringRule {
   static PluginDescription describe() {
     PluginDescription description;
     description.label = "energy_use";
-    description.summary = "Measures what energy robots use, on batteries or not.";
+    description.summary = "Measures the energy that robots use, with or without batteries.";
     description.parameters = withParameters({});
     return description;
   }
@@ -27,9 +27,9 @@ class EnergyUse final : public MeasuringRule {
   };
 
   void read(const Configuration&) override {
-    used_ = &addMetric("used", "J", "What robots have used.");
-    power_ = &addMetric("power", "W", "What robots draw, all together.");
-    per_metre_ = &addMetric("per_metre", "J/m", "What they have used by the length of their ways; 0 without any.");
+    used_ = &addMetric("used", "J", "Energy that robots have used.");
+    power_ = &addMetric("power", "W", "Total power that robots draw.");
+    per_metre_ = &addMetric("per_metre", "J/m", "Energy used per distance travelled; 0 without motion.");
   }
 
   void start(const Space&) override {

@@ -209,14 +209,12 @@ PluginDescription Exchange::describe() {
   description.label = "exchange";
   description.summary = "Stations swap the batteries of robots that stand in them.";
   description.parameters = {
-      makeParameter("robot", Parameter::Type::kText, "", "", {},
-                    "What the names of the robots begin with; empty: all."),
+      makeParameter("robot", Parameter::Type::kText, "", "", {}, "Name prefix of the robots; empty: all."),
       number("reach", "m", "0.3", {0.0, 100.0}, "Between the origins of robot and station, seen from above."),
       number("below", "", "0.5", {0.0, 1.0}, "Part of the capacity below which a robot's battery is swapped."),
       number("ready", "", "0.95", {0.0, 1.0}, "Part of the capacity that a battery must hold to be given."),
       number("swap_time", "s", "10", {0.0, 3600.0}, "From the old battery's leaving to the new one's being in."),
-      number("interval", "s", "1", {0.001, 3600.0},
-             "From one time that batteries in stations are charged to the next.")};
+      number("interval", "s", "1", {0.001, 3600.0}, "Time between two updates of the batteries in stations.")};
   return description;
 }
 
@@ -232,7 +230,7 @@ void Exchange::configure(const Configuration& parameters) {
   batteries_.configure(parameters.text("robot"), add);
   swaps_ = &addMetric("swaps", "", "Batteries that were swapped.");
   swapping_ = &addMetric("swapping", "", "Swaps that are under way.");
-  supplied_ = &addMetric("supplied", "J", "What batteries in stations have been charged with.");
+  supplied_ = &addMetric("supplied", "J", "Energy supplied to batteries in stations.");
 }
 
 }  // namespace

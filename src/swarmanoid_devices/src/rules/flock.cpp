@@ -16,7 +16,7 @@ class Flock final : public Rule {
   static PluginDescription describe() {
     PluginDescription description;
     description.label = "flock";
-    description.summary = "Measures how well robots drive in one direction, and how near each other they are.";
+    description.summary = "Measures how well robots drive in one direction, and how close together they are.";
     description.parameters = {RobotGroup::parameter(),
                               number("settling", "s", "0", {0.0, 1e9}, "Time of the run after which means are taken.")};
     return description;

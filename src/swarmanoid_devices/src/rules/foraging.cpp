@@ -25,7 +25,7 @@ class Foraging final : public Rule {
     description.label = "foraging";
     description.summary = "Counts the preys that are brought into the nest, and puts them elsewhere.";
     description.parameters = {
-        makeParameter("prey", Type::kText, "", "prey", {}, "What the names of preys begin with."),
+        makeParameter("prey", Type::kText, "", "prey", {}, "Name prefix of the preys."),
         makeParameter("nest", Type::kText, "", "nest", {}, "Id of the floor patch that is the nest."),
         corner("minimum", "Least coordinates of the origins of preys that come back."),
         corner("maximum", "Greatest coordinates of these."),
@@ -47,11 +47,11 @@ class Foraging final : public Rule {
                                        "', allowed: nothing below minimum, '" + parameters.text("minimum") + "'");
     }
     Metric& preys = addMetric("preys", "", "Preys that were brought into the nest so far.");
-    Metric& per_minute = addMetric("preys_per_minute", "1/min", "As many in each minute of simulated time.");
+    Metric& per_minute = addMetric("preys_per_minute", "1/min", "Number per minute of simulated time.");
     tally_ = Tally(preys, per_minute, static_cast<double>(parameters.integer("enough")));
     preys_ = &preys;
-    per_kilojoule_ = &addMetric("preys_per_kilojoule", "1/kJ",
-                                "As many for each kJ that robots on batteries have used; 0 if none has used any.");
+    per_kilojoule_ =
+        &addMetric("preys_per_kilojoule", "1/kJ", "Number per kJ that robots on batteries have used; 0 without use.");
   }
 
   void reset(const Space& space, InterventionQueue&) override {

@@ -24,7 +24,8 @@ class PathFormation final : public Rule {
     description.parameters = {
         makeParameter("nest", Type::kText, "", "nest", {}, "Id of the entity where the path begins."),
         makeParameter("prey", Type::kText, "", "prey", {}, "Id of the one where it ends."),
-        number("reach", "m", "1", {0.001, 10000.0}, "From one of the path to the next at the most, seen from above."),
+        number("reach", "m", "1", {0.001, 10000.0},
+               "Maximum distance between neighbours in the path, seen from above."),
         boolean("ends", "true", "Whether the run ends with the first path, and is a success only then.")};
     return description;
   }
@@ -36,8 +37,8 @@ class PathFormation final : public Rule {
     ends_ = parameters.boolean("ends");
     location_ = parameters.location();
     links_ = &addMetric("links", "", "Robots that shine.");
-    length_ = &addMetric("length", "", "Robots in the path that has fewest; 0 while there is none.");
-    formation_time_ = &addMetric("formation_time", "s", "When there was a path for the first time; until then, now.");
+    length_ = &addMetric("length", "", "Robots in the path with the fewest robots; 0 without a path.");
+    formation_time_ = &addMetric("formation_time", "s", "Time of the first path; until then the current time.");
   }
 
   void reset(const Space& space, InterventionQueue&) override {

@@ -20,7 +20,7 @@ class RegionCount final : public MeasuringRule {
     description.summary = "Counts the robots, or objects, whose origins are in a region.";
     description.parameters = withParameters(
         {makeParameter("objects", Parameter::Type::kText, "", "", {},
-                       "What the names of objects begin with that are counted in place of robots; empty: robots are."),
+                       "Name prefix of objects that are counted in place of robots; empty: robots are counted."),
          corner("minimum", "Least coordinates of the region."),
          corner("maximum", "Greatest coordinates of the region."),
          integer("enough", "0", {0.0, 1e9}, "How many in the region are a success; 0: it is not judged."),

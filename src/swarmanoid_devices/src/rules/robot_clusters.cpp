@@ -15,9 +15,9 @@ class RobotClusters final : public MeasuringRule {
   static PluginDescription describe() {
     PluginDescription description;
     description.label = "robot_clusters";
-    description.summary = "Counts the clusters of robots that are near each other, and how many are in them.";
+    description.summary = "Counts clusters of neighbouring robots, and the robots in them.";
     description.parameters = withParameters(
-        {number("distance", "m", "0.34", limits::kLength, "Of two robots, as far as which they are of one cluster.")});
+        {number("distance", "m", "0.34", limits::kLength, "Maximum distance between neighbours of one cluster.")});
     return description;
   }
 
@@ -26,7 +26,7 @@ class RobotClusters final : public MeasuringRule {
 
   void read(const Configuration& parameters) override {
     distance_ = parameters.number("distance");
-    number_ = &addMetric("number", "", "Clusters; a robot that is near no other is one of its own.");
+    number_ = &addMetric("number", "", "Clusters; a robot without neighbours is a cluster of its own.");
     mean_size_ = &addMetric("mean_size", "", "Robots in a cluster, in the mean over the clusters.");
     largest_ = &addMetric("largest", "", "Robots in the largest cluster.");
   }

@@ -23,7 +23,7 @@ class RobotGroup {
 
   static Parameter parameter() {
     return makeParameter("robots", Parameter::Type::kText, "", "", {},
-                         "What the names of those that count begin with; empty: all robots.");
+                         "Name prefix of the robots that count; empty: all robots.");
   }
 
   /// Updates the group; called once a tick. Allocates only when the number of entities reaches a new maximum, and is

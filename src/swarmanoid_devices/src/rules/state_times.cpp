@@ -42,7 +42,7 @@ class StateTimes final : public MeasuringRule {
       }
       states_.push_back({name, &addMetric(name, "s", "Time in the state of this name.")});
     }
-    other_ = &addMetric(kOther, "s", "Time in any other state, or in none.");
+    other_ = &addMetric(kOther, "s", "Time in other states, or without a state.");
   }
 
   void start(const Space&) override {

@@ -16,12 +16,12 @@ class SwitchingLamp final : public Rule {
     using Type = Parameter::Type;
     PluginDescription description;
     description.label = "switching_lamp";
-    description.summary = "Switches a lamp on and off, and another one off and on.";
+    description.summary = "Switches a lamp on and off, and a second lamp in alternation.";
     description.parameters = {
         makeParameter("lamp", Type::kText, "", std::nullopt, {}, "Id of the lamp, lit when the run begins."),
         makeParameter("other", Type::kText, "", "", {},
                       "Id of a lamp that is lit while the first one is dark; empty: none."),
-        number("period", "s", "60", {0.001, 1e6}, "From one time that the lamp goes on to the next."),
+        number("period", "s", "60", {0.001, 1e6}, "Duration of one cycle of the lamp."),
         number("duty", "", "0.5", {0.0, 1.0}, "Part of the period for which the lamp is lit."),
         number("intensity", "", "1", kIntensityRange, "Of a lamp that is lit, in the brightness of an LED.")};
     return description;
@@ -38,7 +38,7 @@ class SwitchingLamp final : public Rule {
     period_ = Duration(std::llround(parameters.number("period") * kNanoseconds));
     lit_for_ = Duration(std::llround(parameters.number("period") * parameters.number("duty") * kNanoseconds));
     intensity_ = parameters.number("intensity");
-    switches_ = &addMetric("switches", "", "How often another lamp was lit, or none any more.");
+    switches_ = &addMetric("switches", "", "Number of changes of the lit lamp.");
     distance_ = &addMetric("distance", "m", "Mean distance of the robots from the lamp that is lit, seen from above.");
     distance_before_switch_ =
         &addMetric("distance_before_switch", "m", "Mean of that distance over the ticks just before a switch.");

@@ -17,7 +17,7 @@ class Trail final : public Rule {
     description.parameters = {
         makeParameter("led_color", Type::kColor, "", "magenta", {}, "Of an LED of a robot that lays a trail."),
         makeParameter("color", Type::kColor, "", "black", {}, "Of the paint."),
-        number("strength", "", "0.3", PaintFloor::kStrength, "Of what is painted in one go, over what is there."),
+        number("strength", "", "0.3", PaintFloor::kStrength, "Of one layer of paint, over the colour below."),
         number("radius", "m", "0.04", PaintFloor::kRadius, "Of the disc that is painted under a robot's origin."),
         integer("every", "1", {1.0, 1e6}, "Ticks from one disc of a robot to the next.")};
     return description;

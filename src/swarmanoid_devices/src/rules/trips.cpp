@@ -20,11 +20,11 @@ class Trips final : public Rule {
     using Type = Parameter::Type;
     PluginDescription description;
     description.label = "trips";
-    description.summary = "Counts how often robots come from one floor patch to another, there and back.";
+    description.summary = "Counts trips of robots between floor patches, there and back.";
     description.parameters = {
         RobotGroup::parameter(),
         makeParameter("from", Type::kText, "", "nest", {}, "Ids of floor patches, one or several with commas between."),
-        makeParameter("to", Type::kText, "", "food", {}, "Ids of other ones."),
+        makeParameter("to", Type::kText, "", "food", {}, "Ids of other floor patches."),
         integer("enough", "0", {0.0, 1e9}, "Trips after which the run ends, a success; 0: it does not.")};
     return description;
   }
@@ -40,8 +40,8 @@ class Trips final : public Rule {
     }
     location_ = parameters.location();
     Metric& trips = addMetric("trips", "", "From one side to the other, in either direction.");
-    Metric& per_minute = addMetric("trips_per_minute", "1/min", "As many in each minute of simulated time.");
-    returns_ = &addMetric("returns", "", "Those of them that ended on a patch of `from`.");
+    Metric& per_minute = addMetric("trips_per_minute", "1/min", "Number per minute of simulated time.");
+    returns_ = &addMetric("returns", "", "Trips that ended on a patch of `from`.");
     tally_ = Tally(trips, per_minute, static_cast<double>(parameters.integer("enough")));
   }
 

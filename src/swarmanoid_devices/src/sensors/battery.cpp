@@ -13,7 +13,7 @@ class BatterySensor final : public SensorOf<Battery> {
     description.label = Battery::kType;
     description.implementation = "default";
     description.is_default = true;
-    description.summary = "What is left in the battery of a robot that has one, and what flows.";
+    description.summary = "Remaining charge and power of the battery, for robots with a battery.";
     return description;
   }
 

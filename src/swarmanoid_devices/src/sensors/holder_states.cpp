@@ -18,7 +18,7 @@ class HolderStatesSensor final
     description.label = HolderStates::kType;
     description.implementation = "default";
     description.is_default = true;
-    description.summary = "Whether each part holds something, the length of its rope, and the force on what it holds.";
+    description.summary = "Whether each holder holds an object, the length of its rope, and the force on the object.";
     return description;
   }
 

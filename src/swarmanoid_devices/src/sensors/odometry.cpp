@@ -14,12 +14,11 @@ class OdometrySensor final : public WheelTurnSensor<OdometrySensor, Odometry> {
  public:
   static PluginDescription describe() {
     PluginDescription description = describeCounter("Position and heading, integrated along arcs.");
+    description.parameters.push_back(number("slip", "m", "0", {0.0, 1.0},
+                                            "Standard deviation of the rolled distance of a wheel after 1 m, beside "
+                                            "slip in the engine; it grows with the square root of the distance."));
     description.parameters.push_back(
-        number("slip", "m", "0", {0.0, 1.0},
-               "Standard deviation of what a wheel has rolled after 1 m, on top of what slips in the engine; it grows "
-               "with the square root of the way."));
-    description.parameters.push_back(
-        number("assumed_slip", "m", "0.01", {0.0, 1.0}, "The same, as the covariance takes it to be."));
+        number("assumed_slip", "m", "0.01", {0.0, 1.0}, "The value of `slip` that the covariance assumes."));
     return description;
   }
 

@@ -48,8 +48,8 @@ class WheelTurnSensor : public SensorOf<Device, WheelTurnInstance<Device>> {
     description.is_default = true;
     description.mechanisms = {wheels()};
     description.summary = summary;
-    description.parameters = {integer("ticks_per_turn", "0", {0.0, 1e6},
-                                      "How many steps of a turn the encoders tell apart; 0: all that it turns.")};
+    description.parameters = {
+        integer("ticks_per_turn", "0", {0.0, 1e6}, "Resolution of the encoders, in steps per turn; 0: exact.")};
     return description;
   }
 

@@ -18,9 +18,9 @@ double floorFraction(const Space& space, const Segment& segment) {
 }  // namespace
 
 Parameter tooCloseParameter() {
-  Parameter parameter = makeParameter("too_close", Parameter::Type::kChoice, "", kReported, {},
-                                      "What is nearer than a sensor can measure: -inf, or folded back to a larger "
-                                      "distance, as triangulating sensors read it.");
+  Parameter parameter = makeParameter(
+      "too_close", Parameter::Type::kChoice, "", kReported, {},
+      "Reading below the minimum range: -inf, or folded back to a larger distance, as triangulating sensors read it.");
   parameter.choices = {kReported, kFolded};
   return parameter;
 }

@@ -15,11 +15,12 @@ constexpr Range kIterationsRange{1.0, 1000.0};
 std::vector<Parameter> materialParameters() {
   const Material standard;
   return {
-      makeParameter("iterations", Parameter::Type::kInteger, "", std::to_string(standard.iterations), kIterationsRange,
-                    "At most, of the solver of contacts, in each step: it ends when nothing changes any more."),
+      makeParameter(
+          "iterations", Parameter::Type::kInteger, "", std::to_string(standard.iterations), kIterationsRange,
+          "Maximum number of iterations of the contact solver in each step; it stops earlier when it has converged."),
       makeNumber("gravity", "m/s2", standard.gravity, limits::kGravity, "Presses bodies on the plane."),
       makeNumber("ground_friction", "", standard.ground_friction, limits::kFriction,
-                 "Coefficient of what slides on the plane."),
+                 "Coefficient of bodies that slide on the plane."),
       makeNumber("treel_friction", "", standard.treel_friction, limits::kFriction,
                  "Coefficient of treels on the plane: beyond it they slip."),
       makeNumber("contact_friction", "", standard.contact_friction, limits::kFriction, "Coefficient between bodies."),

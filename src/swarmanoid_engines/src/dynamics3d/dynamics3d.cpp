@@ -38,8 +38,8 @@ std::string Dynamics3d::unsupportedReason(const EntityModel& model, const std::v
   return problem.empty() ? unsupportedGripperReason(model, devices) : problem;
 }
 
-void Dynamics3d::prepare(const EngineSurroundings& surroundings) {
-  ground_ = GroundSurface(surroundings.terrain,
+void Dynamics3d::prepare(const EngineResources& resources) {
+  ground_ = GroundSurface(resources.terrain,
                           settings_.has_ground ? std::optional<double>(settings_.ground_height) : std::nullopt);
 }
 

@@ -61,7 +61,7 @@ class Dynamics3d final : public Engine {
 
   void configure(const std::string& id, const Configuration& parameters) override;
   void reconfigure(const Configuration& parameters) override;
-  void prepare(const EngineSurroundings& surroundings) override;
+  void prepare(const EngineResources& resources) override;
   std::string unsupportedClocktickReason(Duration clocktick) const override;
   std::string unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const override;
   std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const override;

@@ -80,8 +80,8 @@ class Kinematics2d final : public planar::PlanarEngine {
     is_somebody_new_ = true;
     are_lists_old_ = true;
   }
-  void prepare(const EngineSurroundings& surroundings) override {
-    workers_ = surroundings.workers;
+  void prepare(const EngineResources& resources) override {
+    workers_ = resources.workers;
     are_lists_old_ = true;
   }
   /// Smallest number of bodies that a thread moves, if there are several threads; 0: all bodies move one after another.

@@ -11,17 +11,17 @@ namespace swarmanoid::planar {
 /// Whether a ray of the bundle could hit a body. Thread-safe.
 bool mayHit(const Bodies& bodies, const RayBundle& rays);
 
-/// As Engine::findObstacles, for a horizontal plane. Thread-safe. @param engine owner of the bodies
+/// As RayTarget::findObstacles, for a horizontal plane. Thread-safe. @param engine owner of the bodies
 void findObstacles(const Engine& engine, const Bodies& bodies, const RayBundle& rays, Obstacles& found);
 
-/// As Engine::raycast. Thread-safe.
+/// As RayTarget::raycast. Thread-safe.
 void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits);
 
 /// As findObstacles, for one body. @param middle of the rays, in the plane's frame
 void addObstacle(const Engine& engine, const Bodies& bodies, BodyIndex index, const RayBundle& rays,
                  const Eigen::Vector2d& middle, Obstacles& found);
 
-/// As Engine::castRayAt. Thread-safe. The parts of a solid are the shapes of a body.
+/// As RayTarget::castRayAt. Thread-safe. The parts of a solid are the shapes of a body.
 void castRayAt(const Bodies& bodies, const Obstacles::Solid& solid, const Segment& segment, RayHit& hit);
 
 /// Whether the segment hits that body. Thread-safe.

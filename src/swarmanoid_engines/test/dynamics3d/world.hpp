@@ -11,6 +11,7 @@
 #include "../carry_out.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "swarmanoid_experiment_files/robots/robot_model.hpp"
+#include "swarmanoid_space/access.hpp"
 
 namespace swarmanoid::dynamics3d {
 

@@ -17,7 +17,7 @@ Experiment parseExperiment(const std::string& text, const std::string& name,
                            const std::vector<Override>& overrides = {});
 
 /// Loads the suite's own plugins (engines, devices, visualisations), once.
-/// @throws ConfigError if one is not installed
+/// @throws ConfigError if a library cannot be loaded, or if no engine or no sensor is installed
 void loadBuiltInPlugins();
 
 /// Returns and clears the warnings of readExperiment, such as a controller_path that does not exist.

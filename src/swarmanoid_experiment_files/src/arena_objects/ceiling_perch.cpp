@@ -13,14 +13,14 @@ class CeilingPerchType final : public EntityType {
     PluginDescription description;
     description.label = "ceiling_perch";
     description.summary =
-        "A plate under the ceiling with charge for who holds on to it. Its position is that of its lower face.";
+        "A plate under the ceiling that charges attached robots. Its position is that of its lower face.";
     description.parameters = {
         lengthParameter("side", "Of the square plate.", "0.5"),
         lengthParameter("height", "Of the plate.", "0.05"),
         colorParameter("green", "Of its signal, as cameras see it."),
-        makeParameter("capacity", Type::kNumber, "J", "2000000", kChargeRange, "The most that it holds."),
-        makeParameter("level", Type::kNumber, "", "1", {0.0, 1.0}, "Part of it that it holds at first."),
-        makeParameter("supply", Type::kNumber, "W", "500", kPowerRange, "At which it is charged itself, at first.")};
+        makeParameter("capacity", Type::kNumber, "J", "2000000", kChargeRange, "Maximum charge."),
+        makeParameter("level", Type::kNumber, "", "1", {0.0, 1.0}, "Initial charge, as a part of the maximum."),
+        makeParameter("supply", Type::kNumber, "W", "500", kPowerRange, "Initial power that charges the perch.")};
     return description;
   }
 
@@ -46,8 +46,8 @@ class CeilingPerchType final : public EntityType {
     model->shapes.push_back(plate);
     model->led_positions.emplace_back(0.0, 0.0, 0.0);
     model->measureShapes();
-    model->properties.push_back({kCharge, "J", "What it holds for robots.", {0.0, capacity}, charge});
-    model->properties.push_back({kSupply, "W", "At which it is charged itself.", kPowerRange, supply});
+    model->properties.push_back({kCharge, "J", "Charge available for robots.", {0.0, capacity}, charge});
+    model->properties.push_back({kSupply, "W", "Power that charges the perch.", kPowerRange, supply});
     return model;
   }
 };

@@ -17,9 +17,9 @@ class ChargingPerchType final : public EntityType {
         lengthParameter("radius", "Of the post.", "0.05"),
         lengthParameter("height", "Of the post.", "0.3"),
         colorParameter("green", "Of its signal, as cameras see it."),
-        makeParameter("capacity", Type::kNumber, "J", "2000", kChargeRange, "The most that it holds."),
-        makeParameter("level", Type::kNumber, "", "1", {0.0, 1.0}, "Part of it that it holds at first."),
-        makeParameter("supply", Type::kNumber, "W", "20", kPowerRange, "At which it is charged itself, at first.")};
+        makeParameter("capacity", Type::kNumber, "J", "2000", kChargeRange, "Maximum charge."),
+        makeParameter("level", Type::kNumber, "", "1", {0.0, 1.0}, "Initial charge, as a part of the maximum."),
+        makeParameter("supply", Type::kNumber, "W", "20", kPowerRange, "Initial power that charges the perch.")};
     return description;
   }
 
@@ -48,8 +48,8 @@ class ChargingPerchType final : public EntityType {
     model->shapes.push_back(post);
     model->led_positions.push_back(middle);
     model->measureShapes();
-    model->properties.push_back({kCharge, "J", "What it holds for robots.", charges, charge});
-    model->properties.push_back({kSupply, "W", "At which it is charged itself.", kPowerRange, supply});
+    model->properties.push_back({kCharge, "J", "Charge available for robots.", charges, charge});
+    model->properties.push_back({kSupply, "W", "Power that charges the perch.", kPowerRange, supply});
     return model;
   }
 };

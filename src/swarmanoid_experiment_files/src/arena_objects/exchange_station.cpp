@@ -18,9 +18,9 @@ class ExchangeStationType final : public EntityType {
         lengthParameter("height", "Of the box.", "0.15"),
         colorParameter("magenta", "Of its signal, as cameras see it."),
         makeParameter("batteries", Type::kInteger, "", "4", {1.0, 16.0}, "How many there are."),
-        makeParameter("capacity", Type::kNumber, "J", "133200", kCapacityRange, "The most that each of them holds."),
-        makeParameter("level", Type::kNumber, "", "1", {0.0, 1.0}, "Part of it that each holds at first."),
-        makeParameter("supply", Type::kNumber, "W", "40", kPowerRange, "At which they are charged, at first.")};
+        makeParameter("capacity", Type::kNumber, "J", "133200", kCapacityRange, "Maximum charge of each."),
+        makeParameter("level", Type::kNumber, "", "1", {0.0, 1.0}, "Initial charge of each, as a part of the maximum."),
+        makeParameter("supply", Type::kNumber, "W", "40", kPowerRange, "Initial power that charges batteries.")};
     return description;
   }
 
@@ -51,10 +51,10 @@ class ExchangeStationType final : public EntityType {
     const Range charges{0.0, capacity};
     for (int i = 1; i <= static_cast<int>(count); ++i) {
       model->properties.push_back(
-          {"battery_" + std::to_string(i), "J", "What that battery holds.", charges, level * capacity});
+          {"battery_" + std::to_string(i), "J", "Charge of that battery.", charges, level * capacity});
     }
-    model->properties.push_back({"arm", "J", "What the battery holds that is on its way into a robot.", charges, 0.0});
-    model->properties.push_back({kSupply, "W", "At which batteries are charged.", kPowerRange, supply});
+    model->properties.push_back({"arm", "J", "Charge of the battery that is on its way into a robot.", charges, 0.0});
+    model->properties.push_back({kSupply, "W", "Power that charges batteries.", kPowerRange, supply});
     return model;
   }
 };

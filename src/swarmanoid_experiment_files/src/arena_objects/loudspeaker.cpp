@@ -13,7 +13,7 @@ class LoudspeakerType final : public EntityType {
     using Type = Parameter::Type;
     PluginDescription description;
     description.label = "loudspeaker";
-    description.summary = "A source of sound, which microphones hear; it has no body.";
+    description.summary = "A source of sound for microphones; it has no body.";
     description.parameters = {
         makeParameter(kSoundLevel, Type::kNumber, "dB", "80", kSoundLevelRange,
                       "Sound pressure level at 1 m at first, re 20 uPa."),

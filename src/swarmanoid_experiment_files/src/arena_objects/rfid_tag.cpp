@@ -14,9 +14,8 @@ class RfidTagType final : public EntityType {
     PluginDescription description;
     description.label = "rfid_tag";
     description.summary = "A radio tag, in the floor or anywhere else, which robots read and write; it has no body.";
-    description.parameters = {
-        makeParameter(kTag, Type::kInteger, "", std::nullopt, kTagRange, "Its id."),
-        makeParameter(kTagData, Type::kInteger, "", "0", kTagDataRange, "What it holds at first.")};
+    description.parameters = {makeParameter(kTag, Type::kInteger, "", std::nullopt, kTagRange, "Its id."),
+                              makeParameter(kTagData, Type::kInteger, "", "0", kTagDataRange, "Initial content.")};
     return description;
   }
 
@@ -29,7 +28,7 @@ class RfidTagType final : public EntityType {
       model->type = "rfid_tag";
       model->title = "RfidTag";
       model->properties.push_back({kTag, "", "Its id.", kTagRange, static_cast<double>(id)});
-      model->properties.push_back({kTagData, "", "What it holds.", kTagDataRange, static_cast<double>(data)});
+      model->properties.push_back({kTagData, "", "Content.", kTagDataRange, static_cast<double>(data)});
       return model;
     });
   }

@@ -56,7 +56,7 @@ Configuration readParameters(const XmlElement& element, const std::vector<Parame
 Parameter realismParameter(const std::string& usual) {
   Parameter parameter =
       makeParameter("realism", Parameter::Type::kChoice, "", usual, {},
-                    usual.empty() ? "Preset of what the file does not say; else that of the element around it."
+                    usual.empty() ? "Preset for values that the file does not set; else that of the element around it."
                                   : "Preset of all devices: ideal, or as on a robot.");
   parameter.choices = realismNames();
   return parameter;
@@ -90,7 +90,7 @@ const std::vector<Parameter>& floorPatchParameters() {
 }
 
 const std::vector<Parameter>& holeParameters() {
-  static const std::vector<Parameter> table = areaParameters("Of the hole's centre; its height says nothing.");
+  static const std::vector<Parameter> table = areaParameters("Of the hole's centre; its height is ignored.");
   return table;
 }
 

@@ -274,17 +274,17 @@ UncheckedExperiment readWithoutLibraries(const std::string& file, const std::vec
 }
 
 void loadBuiltInPlugins() {
-  bool is_any_found = false;
   for (const DeclaredLibrary& declared : declaredLibraries()) {
     if (declared.is_built_in) {
       loadPluginLibrary(declared.library, {}, {"package " + declared.package, 0});
-      is_any_found = true;
     }
   }
-  if (!is_any_found) {
-    throw ConfigError({},
-                      "found no engines and devices, allowed: share/swarmanoid/plugins/ of this installation, or of a "
-                      "folder in CMAKE_PREFIX_PATH, declares them");
+  for (const auto& [kind, package] :
+       {std::pair{PluginKind::kEngine, "swarmanoid_engines"}, std::pair{PluginKind::kSensor, "swarmanoid_devices"}}) {
+    if (Registry::instance().all(kind).empty()) {
+      throw ConfigError({},
+                        std::string("found no ") + toString(kind) + ", allowed: an installation that has " + package);
+    }
   }
 }
 

@@ -37,7 +37,7 @@ Attribute choice(const std::string& name, const std::vector<std::string>& choice
 }
 
 Attribute libraryAttribute() {
-  return text("library", "", "The name x of a file libx.so, or a path; needed for what the suite does not bring.");
+  return text("library", "", "The name x of a file libx.so, or a path; needed for plugins from outside the suite.");
 }
 
 std::vector<Attribute> pluginAttributes() { return {id("id", true, "Its name in this file."), libraryAttribute()}; }
@@ -45,7 +45,7 @@ std::vector<Attribute> pluginAttributes() { return {id("id", true, "Its name in 
 /// Attributes of plugins that may also be written in Python.
 std::vector<Attribute> scriptAttributes() {
   std::vector<Attribute> attributes = pluginAttributes();
-  attributes.push_back(choice("source", codeLanguages(), codeLanguages().front(), "What it is written in."));
+  attributes.push_back(choice("source", codeLanguages(), codeLanguages().front(), "Its programming language."));
   attributes.push_back(text("file", "", "With python: the file that has it, under the name of the tag."));
   return attributes;
 }
@@ -63,9 +63,10 @@ ExperimentTag device(const std::string& section, const std::string& heading) {
 /// <error> in a device. It has the attributes of all kinds; `readErrors` checks which of them a kind has.
 ExperimentTag errorTag() {
   std::vector<Attribute> attributes{
-      choice("kind", errorKindNames(), std::nullopt, "What the error is."),
+      choice("kind", errorKindNames(), std::nullopt, "Kind of the error."),
       id("id", false, "Its name, for the command line."),
-      text("field", "", "What it acts on, such as value, value[3], left or blobs[].distance; else all that suits."),
+      text("field", "",
+           "Field that it acts on, such as value, value[3], left or blobs[].distance; else all suitable fields."),
       {makeParameter("from_tick", Type::kInteger, "ticks", "0", limits::kTick, "The first tick in which it acts.")}};
   for (const ErrorKind* kind : errorKinds()) {
     for (Parameter parameter : kind->description.parameters) {
@@ -79,7 +80,7 @@ ExperimentTag errorTag() {
   return {"controllers/*/sensors/*",
           "error",
           "error",
-          "In a sensor or an actuator, as often as needed: what is wrong with it. Numbers are in the field's unit.",
+          "In a sensor or an actuator, as often as needed: one of its errors. Numbers are in the field's unit.",
           std::move(attributes),
           {}};
 }
@@ -93,7 +94,7 @@ std::vector<ExperimentTag> arenaTags() {
   return {{"",
            "arena",
            "arena",
-           "The section: what stands where; entities, and these.",
+           "The section: entities with their positions, and these.",
            {{makeParameter("size", Type::kVector3, "m", std::nullopt, limits::kArenaSide,
                            "Of the arena, along x, y and z.")},
             {makeParameter("center", Type::kVector3, "m", "", limits::kCoordinate,
@@ -106,13 +107,13 @@ std::vector<ExperimentTag> arenaTags() {
           {"arena",
            "floor_patch",
            "arena",
-           "A coloured disc or rectangle on the floor, which cameras see and nothing collides with.",
+           "A coloured disc or rectangle on the floor, visible to cameras, without collisions.",
            {id("id", true, "Its name.")},
            floorPatchParameters()},
           {"arena",
            "hole",
            "arena",
-           "A disc or rectangle without floor: ground sensors get nothing back, what stands there falls.",
+           "A disc or rectangle without floor: ground sensors get no reflection, bodies there fall.",
            {id("id", true, "Its name.")},
            holeParameters()},
           {"arena",
@@ -130,13 +131,13 @@ std::vector<ExperimentTag> arenaTags() {
           {"arena",
            "heightfield",
            "arena",
-           "Rough ground, at most one, where dynamics3d moves things.",
+           "Rough ground, at most one, where dynamics3d moves entities.",
            {},
            heightfieldParameters()},
           {"arena",
            "distribute",
            "arena",
-           "Places many of the one entity in it, which has no position.",
+           "Places copies of the one entity in it, which has no position.",
            {{makeParameter("quantity", Type::kInteger, "", std::nullopt, kQuantityRange, "How many.")},
             choice("layout", layouts(), layouts().front(),
                    "At random, or at even distances: in rows at the height of minimum, around a ring, along a line."),
@@ -152,7 +153,7 @@ std::vector<ExperimentTag> arenaTags() {
            "controller",
            "entity",
            "In a robot: the id of its controller.",
-           {choice("source", commandSources(), commandSources().front(), "Who commands the robot."),
+           {choice("source", commandSources(), commandSources().front(), "Source of the robot's commands."),
             {makeParameter("timeout", Type::kNumber, "s", "0.5", kCommandTimeoutRange,
                            "With topics: the robot stops when no command has come for so long.")}},
            {}}};
@@ -161,7 +162,7 @@ std::vector<ExperimentTag> arenaTags() {
 std::vector<ExperimentTag> physicsTags() {
   const Attribute end = choice("as", gripEnds(), "", "Only that end of a grip counts.");
   return {
-      {"", "arena_physics", "arena_physics", "The section: which engine has which entities.", {}, {}},
+      {"", "arena_physics", "arena_physics", "The section: assignment of entities to engines.", {}, {}},
       {"arena_physics",
        "engine",
        "arena_physics",
@@ -193,12 +194,12 @@ std::vector<ExperimentTag> physicsTags() {
 
 std::vector<ExperimentTag> makeTags() {
   std::vector<ExperimentTag> tags{
-      {"", "framework", "framework", "The section: what concerns the whole run.", {}, frameworkParameters()},
-      {"", "controllers", "controller", "The section: which controllers there are, with their devices.", {}, {}},
+      {"", "framework", "framework", "The section: settings of the whole run.", {}, frameworkParameters()},
+      {"", "controllers", "controller", "The section: controllers with their devices.", {}, {}},
       {"controllers", "*", "controller", "In <controllers>, by its label.", scriptAttributes(), {realismParameter()}},
       {"controllers/*", "actuators", "controller", "In a controller: the actuators that it uses.", {}, {}},
       {"controllers/*", "sensors", "controller", "In a controller: the sensors that it uses.", {}, {}},
-      {"controllers/*", "parameters", "controller", "In a controller: whatever it reads.", {}, {}},
+      {"controllers/*", "parameters", "controller", "In a controller: its parameters.", {}, {}},
       device("sensors", "sensor"),
       device("actuators", "actuator"),
       errorTag()};
@@ -206,12 +207,12 @@ std::vector<ExperimentTag> makeTags() {
     tags.insert(tags.end(), more.begin(), more.end());
   };
   append(arenaTags());
-  append({{"", "engines", "engine", "The section: who moves entities.", {}, {}},
+  append({{"", "engines", "engine", "The section: engines, which move entities.", {}, {}},
           {"engines", "*", "engine", "In <engines>.", pluginAttributes(), {}}});
   append(physicsTags());
-  append({{"", "rules", "rule", "The section: what acts on the world beside robots and engines.", {}, {}},
+  append({{"", "rules", "rule", "The section: rules, which act on the world beside robots and engines.", {}, {}},
           {"rules", "*", "rule", "In <rules>.", scriptAttributes(), {}}});
-  append({{"", "visualisations", "visualisation", "The section: who looks at the run.", {}, {}},
+  append({{"", "visualisations", "visualisation", "The section: visualisations, which observe the run.", {}, {}},
           {"", "visualizations", "visualisation", "The same, in another spelling.", {}, {}},
           {"visualisations", "*", "visualisation", "In <visualisations>.", pluginAttributes(), {}}});
   return tags;

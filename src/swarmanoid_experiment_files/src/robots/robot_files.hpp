@@ -3,7 +3,7 @@
 ///     <export><swarmanoid robots="${prefix}/urdf" realism="${prefix}/realism"/></export>
 ///
 /// with one or both attributes. Each <type>.urdf in the first folder is a robot type, each .xml in the second has
-/// presets (experiment_file/realism_presets.hpp). Packages are searched in share/ of every prefix, and in the source
+/// presets (reader/realism_presets.hpp). Packages are searched in share/ of every prefix, and in the source
 /// folders of prefixes that are devel spaces. A package with several copies is taken from the first prefix whose
 /// package.xml has the element.
 #pragma once

@@ -284,9 +284,9 @@ std::shared_ptr<const EntityModel> robotWithBattery(const EntityModel& robot, co
   model->battery = battery;
   // in the order of BatteryProperty
   model->properties = {
-      {kCharge, "J", "What is in the battery.", {0.0, battery.capacity}, battery.first_share * battery.capacity},
-      {kCapacitor, "J", "What is in the super-capacitor.", {0.0, battery.capacitor}, battery.capacitor},
-      {kSupply, "W", "At which the battery is charged.", kPowerRange, 0.0}};
+      {kCharge, "J", "Charge of the battery.", {0.0, battery.capacity}, battery.first_share * battery.capacity},
+      {kCapacitor, "J", "Charge of the super-capacitor.", {0.0, battery.capacitor}, battery.capacitor},
+      {kSupply, "W", "Power that charges the battery.", kPowerRange, 0.0}};
   return model;
 }
 

@@ -72,17 +72,18 @@ class RobotType final : public EntityType {
 /// Parameters in <arena> for the battery of a robot that can have one.
 std::vector<Parameter> batteryParameters(const BatteryModel& battery) {
   using Type = Parameter::Type;
-  return {makeParameter("battery", Type::kBoolean, "", "false", {}, "Whether it runs on a battery, or for ever."),
+  return {makeParameter("battery", Type::kBoolean, "", "false", {},
+                        "Whether it runs on a battery; else its energy is unlimited."),
           makeParameter("battery_capacity", Type::kNumber, "J", numberText(battery.capacity), kCapacityRange,
-                        "The most that the battery holds."),
+                        "Maximum charge of the battery."),
           makeParameter("battery_level", Type::kNumber, "", numberText(battery.first_share), {0.0, 1.0},
-                        "Part of it that it holds at first."),
+                        "Initial charge, as a part of the maximum."),
           makeParameter("battery_capacitor", Type::kNumber, "J", numberText(battery.capacitor), kChargeRange,
                         "Of the super-capacitor that keeps it alive while the battery is out."),
           makeParameter("battery_enough", Type::kNumber, "", numberText(battery.enough), {0.001, 1.0},
-                        "Part of the capacity with which it goes on after it was empty."),
+                        "Part of the capacity at which it resumes after it was empty."),
           makeParameter("battery_stall", Type::kNumber, "W", numberText(battery.stall), kPowerRange,
-                        "Of both wheels' motors at full voltage while they are held; 0: load draws nothing.")};
+                        "Of both wheels' motors, stalled at full voltage; 0: load draws no power.")};
 }
 
 /// Returns an empty description if the file has mistakes; robotModel reports them when the robot is used.

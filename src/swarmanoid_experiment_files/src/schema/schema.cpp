@@ -171,7 +171,6 @@ void writeRoot(const EntityTypes& types, SchemaWriter& out) {
 }
 
 constexpr const char* kSuitesRobots = "swarmanoid_description";  // the package of the suite's robots
-constexpr const char* kSuitesPictures = "swarmanoid_rendering";  // its plugins are part of the suite's schema
 
 /// Returns whether the type is a robot that only packages outside the suite provide.
 bool isOfOthers(const Registry::Entry* type) {
@@ -202,7 +201,7 @@ std::string experimentSchema(const PluginLibraries& libraries) {
 
 std::string suiteSchema() {
   for (const DeclaredLibrary& declared : declaredLibraries()) {
-    if (declared.package == experiment::kSuitesPictures) {
+    if (declared.isOfSuite() && !declared.visualisations.empty()) {
       loadPluginLibrary(declared.library, {}, {});
     }
   }

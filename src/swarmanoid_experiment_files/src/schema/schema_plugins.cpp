@@ -40,7 +40,7 @@ void writeControllerParts(SchemaWriter& out) {
     out.anyElements("lax");
     out.closeElement();
   }
-  out.openElement("parameters", true, "Whatever the controller reads.");
+  out.openElement("parameters", true, "Parameters of the controller.");
   out.anyElements("skip");
   out.closeElement();
 }

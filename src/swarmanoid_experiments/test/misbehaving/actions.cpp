@@ -286,7 +286,7 @@ std::vector<std::string> actions() {
   return names;
 }
 
-// goes round the interface, as code could
+// bypasses the const interface, as faulty code could
 void expose(const Space& space) { exposed = const_cast<Space*>(&space); }
 
 void perform(const std::string& action) {

@@ -21,7 +21,7 @@ class MisbehavingSensor final : public SensorOf<FootbotGripperState> {
 
   void configure(const Configuration& parameters) override { misbehaviour_.configure(parameters); }
   void sense(const Space& space, std::size_t, std::size_t) override { misbehaviour_.tryIn("sense", space.tick); }
-  void report(Space& space) override { misbehaviour_.tryIn("report", space.tick); }
+  void report(const Space& space, const ReportAccess&) override { misbehaviour_.tryIn("report", space.tick); }
 
  private:
   Misbehaviour misbehaviour_;
@@ -32,10 +32,10 @@ class MisbehavingActuator final : public ActuatorOf<FootbotLeds> {
   static PluginDescription describe() { return describeDevice(FootbotLeds::kType); }
 
   void configure(const Configuration& parameters) override { misbehaviour_.configure(parameters); }
-  void actuate(const Space& space, const ActuateAccess& access, std::vector<Row>&) override {
+  void actuate(const Space& space, const ActuateAccess&, std::vector<Row>&) override {
     misbehaviour_.tryIn("actuate", space.tick);
   }
-  void afterMove(Space& space) override { misbehaviour_.tryIn("afterMove", space.tick); }
+  void afterMove(const Space& space, const AfterMoveAccess&) override { misbehaviour_.tryIn("afterMove", space.tick); }
 
  private:
   Misbehaviour misbehaviour_;

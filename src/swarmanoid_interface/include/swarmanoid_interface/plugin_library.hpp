@@ -31,7 +31,10 @@ struct DeclaredLibrary {
   std::string package;
   std::vector<std::string> visualisations;  ///< their labels, which experiment files may name without the library
   std::string scripts;                      ///< language of the controllers and rules that it runs; "": none
-  bool is_built_in = false;                 ///< loaded for every experiment
+  bool is_built_in = false;                 ///< loaded for every experiment; only of the suite's packages
+
+  /// Whether a package of the suite declares it; their names start with "swarmanoid_".
+  bool isOfSuite() const { return package.rfind("swarmanoid_", 0) == 0; }
 };
 
 /// Returns all libraries that the packages of this installation, and of every prefix of CMAKE_PREFIX_PATH, declare,

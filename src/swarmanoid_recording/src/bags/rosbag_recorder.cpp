@@ -21,8 +21,7 @@ class RosbagRecorder final : public Observer {
     PluginDescription description;
     description.label = "rosbag_recorder";
     description.summary =
-        "Writes a rosbag: clock, transforms, world state, events, interventions, markers, and what controllers saw and "
-        "did.";
+        "Writes a rosbag: clock, transforms, world state, events, interventions, markers, readings and commands.";
     Parameter compression = makeParameter("compression", Type::kChoice, "", "lz4", {}, "Of the bag's chunks.");
     compression.choices = {"none", "lz4", "bz2"};
     Parameter level = makeParameter("transforms", Type::kChoice, "", "auto", {},

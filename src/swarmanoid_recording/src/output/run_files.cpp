@@ -7,17 +7,15 @@ namespace swarmanoid {
 
 namespace {
 
-/// Loads the library that declares the visualisation. @throws ConfigError if no package declares it
+/// Loads the suite's library with that visualisation. @throws ConfigError if it is not installed
 void loadVisualisation(const std::string& label) {
   for (const DeclaredLibrary& declared : declaredLibraries()) {
-    if (contains(declared.visualisations, label)) {
+    if (declared.isOfSuite() && contains(declared.visualisations, label)) {
       loadPluginLibrary(declared.library, {}, {});
       return;
     }
   }
-  throw ConfigError({}, "found no library with the visualisation '" + label +
-                            "', allowed: one that share/swarmanoid/plugins/ "
-                            "declares");
+  throw ConfigError({}, "found no visualisation '" + label + "', allowed: an installation whose packages declare it");
 }
 
 }  // namespace

@@ -88,9 +88,9 @@ class TrajectoryRecorder final : public Observer {
     PluginDescription description;
     description.label = "trajectory_recorder";
     description.summary =
-        "Writes poses of all that moves, readings and metrics of all ticks as arrays in an HDF5 file.";
+        "Writes poses of all moving entities, readings and metrics of all ticks as arrays in an HDF5 file.";
     description.parameters = {
-        makeParameter("file", Type::kText, "", std::nullopt, {}, "Where the arrays go."),
+        makeParameter("file", Type::kText, "", std::nullopt, {}, "Output file."),
         makeParameter("every", Type::kInteger, "ticks", "1", {1.0, 1e9}, "Ticks from one row to the next."),
         makeParameter("readings", Type::kText, "", "none", {},
                       "Sensors whose readings are recorded: types, all or none.")};

@@ -10,9 +10,9 @@ class InterventionRecorder final : public Observer {
   static PluginDescription describe() {
     PluginDescription description;
     description.label = "intervention_recorder";
-    description.summary = "Writes what was done to the run from outside or by rules, to be played into another run.";
+    description.summary = "Writes interventions from outside or by rules, to be played into another run.";
     description.parameters = {makeParameter("file", Parameter::Type::kText, "", std::nullopt, {},
-                                            "Where it goes, as XML; after a reset it is that of the new run.")};
+                                            "Output file, as XML; after a reset it is that of the new run.")};
     return description;
   }
 

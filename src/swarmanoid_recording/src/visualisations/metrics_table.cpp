@@ -14,7 +14,7 @@ class MetricsTable final : public Observer {
     description.summary =
         "Writes the metrics of all rules as comma-separated values: the run after a #, a header, then a row a tick.";
     description.parameters = {
-        makeParameter("file", Parameter::Type::kText, "", std::nullopt, {}, "Where the table goes."),
+        makeParameter("file", Parameter::Type::kText, "", std::nullopt, {}, "Output file."),
         makeParameter("every", Parameter::Type::kInteger, "ticks", "1", {1.0, 1e9}, "Ticks from one row to the next.")};
     return description;
   }

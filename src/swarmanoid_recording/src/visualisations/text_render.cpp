@@ -31,7 +31,7 @@ class TextRender final : public Observer {
                                      "column of its own.");
     layout.choices = {kColumns, kFigure};
     description.parameters = {
-        makeParameter("file", Type::kText, "", "", {}, "Where the table goes; empty: the standard error stream."),
+        makeParameter("file", Type::kText, "", "", {}, "Output file; empty: the standard error stream."),
         makeParameter("precision", Type::kInteger, "", "6", {0.0, 15.0},
                       "Decimals of each number; trailing zeros are left out."),
         makeParameter("every", Type::kInteger, "ticks", "1", {1.0, 1e9}, "Ticks from one table to the next."), layout};

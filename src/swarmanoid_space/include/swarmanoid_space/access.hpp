@@ -1,9 +1,9 @@
 /// Access objects: the parts of the space that plugins may write, by phase.
 ///
-/// Engines, sensors and actuators get the space const. Beside it they get one of these objects, whose members are the
-/// columns and lists that they may write in that phase. They cannot make one, because its constructor needs a space
-/// that is not const: an engine that lights an LED does not compile. Neither does an access object with a column of
-/// another phase, since a column names its phases in its type (WrittenIn).
+/// In a tick, engines, sensors and actuators get the space const, and one of these objects with the columns and lists
+/// that they may write in that phase. A plugin cannot make an access object, because the constructor needs a space that
+/// is not const: an engine that lights an LED does not compile. Neither does an access object with a column of another
+/// phase, since a column names its phases in its type (WrittenIn).
 ///
 /// Cost     references only.
 /// Threads  an access object may be used by several threads, for different entities.
@@ -88,8 +88,18 @@ struct HandOverAccess {
   explicit HandOverAccess(Space& space)
       : mover(writable<WrittenIn::kConnect>(space.mover)), entities_without_engine(space.entities_without_engine) {}
 
-  ByRow<Engine*>& mover;
+  ByRow<const Engine*>& mover;
   EntitiesWithoutEngine& entities_without_engine;
+};
+
+/// For the phase `index`.
+struct IndexAccess {
+  explicit IndexAccess(Space& space)
+      : index(space.index), outside(writable<WrittenIn::kIndex>(space.outside)), events(space.events) {}
+
+  PositionalIndex& index;
+  ByRow<char>& outside;
+  std::vector<Event>& events;
 };
 
 /// For the phase `power`.

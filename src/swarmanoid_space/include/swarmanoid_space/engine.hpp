@@ -50,8 +50,8 @@ struct EngineHealth {
   std::vector<std::pair<std::string, std::string>> counters;  ///< name and value, since the start of the run
 };
 
-/// The surroundings of the entities of an engine.
-struct EngineSurroundings {
+/// The ground and the threads of an engine.
+struct EngineResources {
   std::shared_ptr<const Terrain> terrain;  ///< the heightfield; null: level ground
   const Parallel* workers = nullptr;       ///< threads that `move` may use; they outlive the entities. Null: none
 };
@@ -66,9 +66,9 @@ class Engine : public EngineLimits, public RayTarget {
   /// @throws ConfigError; the engine then keeps the old values
   virtual void reconfigure(const Configuration& /*parameters*/) {}
 
-  /// Called once after `configure`, before entities are added; what it takes stays after `clear`. The default ignores
-  /// it, as engines do that move entities in a plane and need no threads.
-  virtual void prepare(const EngineSurroundings& /*surroundings*/) {}
+  /// Called once after `configure`, before entities are added. The engine keeps these values, also after `clear`. The
+  /// default ignores them.
+  virtual void prepare(const EngineResources& /*resources*/) {}
 
   /// Starts to move or mirror an entity, with the pose and twist that it has in the space; its devices exist already. A
   /// grip in `structure` acts in this engine as soon as both of its ends are moved here. The same holds for

@@ -133,7 +133,7 @@ class Space {
   /// First tick after the last teleport (start, spawn, move). Readings that compare two ticks are undefined in it.
   Column<std::uint64_t> placed{entities.columns, {"placed"}};
   /// null: no engine moves the entity
-  Column<Engine*, WrittenIn::kConnect> mover{entities.columns, {"engine", Visits::kHash}};
+  Column<const Engine*, WrittenIn::kConnect> mover{entities.columns, {"engine", Visits::kHash}};
   /// 1: the entity's origin is outside the arena
   Column<char, WrittenIn::kIndex> outside{entities.columns, {"outside", Visits::kRecordings}};
   /// null: the entity has no controller
@@ -154,7 +154,7 @@ class Space {
   Banks commands;   ///< control
   Banks actuation;  ///< actuate
 
-  std::vector<Engine*> engines;  ///< all, in the order of the experiment file
+  std::vector<const Engine*> engines;  ///< all, in the order of the experiment file
 
   /// Whether a ray of the bundle could hit anything; in doubt, true. Does not read its segments. Far cheaper than
   /// casting. Thread-safe outside `move`.

@@ -24,7 +24,7 @@ struct Assembly {
   std::vector<Named<Engine>> engines;
   std::vector<std::unique_ptr<ControllerGroup>> groups;
   std::vector<RobotInstance> robots;  ///< by entity number
-  Column<std::vector<Membership>> memberships;
+  Column<std::vector<Membership>, WrittenIn::kConnect> memberships;
   std::vector<HandoverTrigger> triggers;  ///< sorted by entity number, then in the order of the file
   std::vector<RuleInstance> rules;        ///< in the order of the file
   std::vector<ObserverInstance> observers;

@@ -146,14 +146,17 @@ Row Handover::overlapOf(const EntityModel& posed, const Pose& pose) const {
 
 /// Removes the entity from the engine that moves it, and its mirror from the target. @return the former engine
 Engine* Handover::takeOut(Row member) {
-  Engine*& mover = access_.mover[member];
+  const Engine*& mover = access_.mover[member];
+  Engine* former = nullptr;
   for (const Membership& membership : memberships_[member]) {
+    if (membership.engine == mover) {
+      former = membership.engine;
+    }
     if (membership.engine == mover || membership.engine == &target_) {
       call("remove", *membership.engine, [&] { membership.engine->remove(space_, member); });
     }
   }
   access_.entities_without_engine.remove(member);
-  Engine* former = mover;
   mover = nullptr;
   return former;
 }

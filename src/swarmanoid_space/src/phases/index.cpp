@@ -34,22 +34,21 @@ bool hasAnyoneCrossed(const ByRow<Pose>& poses, const ByRow<char>& outside, cons
 
 }  // namespace
 
-void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events,
-           const Workers& workers) {
+void index(const Space& space, const IndexAccess& access, const Workers& workers) {
   constexpr double kTolerance = 1e-3;  // m
   constexpr double kSunk = 0.1;  // m: below the ground; hard landings sink in by centimetres without leaving the arena
-  index.update(space.entities);
+  access.index.update(space.entities);
   const Inside inside{{space.corner.x() - kTolerance, space.corner.y() - kTolerance, space.lowestGround() - kSunk},
                       space.farCorner().array() + kTolerance};
-  if (!hasAnyoneCrossed(space.entities.pose, outside, inside, workers)) {
+  if (!hasAnyoneCrossed(space.entities.pose, access.outside, inside, workers)) {
     return;
   }
   for (const Row row : space.entities.order) {
     const bool is_outside = !inside.holds(space.entities.pose[row].position);
-    if (is_outside && outside[row] == 0 && space.entities.model[row]->is_movable) {
-      events.push_back({Event::Kind::kLeftArena, space.entities.name[row], "", ""});
+    if (is_outside && access.outside[row] == 0 && space.entities.model[row]->is_movable) {
+      access.events.push_back({Event::Kind::kLeftArena, space.entities.name[row], "", ""});
     }
-    outside[row] = is_outside ? 1 : 0;
+    access.outside[row] = is_outside ? 1 : 0;
   }
 }
 

@@ -76,8 +76,7 @@ void handOver(const Space& space, const HandOverAccess& access, std::vector<Even
 void fall(const Space& space, std::vector<Row>& fallen, std::vector<Event>& events);
 
 /// Updates the positional index with the new poses. Entities that have left the arena get an event.
-void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events,
-           const Workers& workers);
+void index(const Space& space, const IndexAccess& access, const Workers& workers);
 
 /// Batteries supply the energy that their robots used in the tick, and are charged.
 void power(const Space& space, const PowerAccess& access);

@@ -44,7 +44,7 @@ Simulation::~Simulation() {
 void Simulation::start() {
   World& world = *world_;
   is_started_ = true;
-  phases::index(world.space, world.space.index, world.space.outside, world.space.events, world.assembly.workers);
+  phases::index(world.space, IndexAccess(world.space), world.assembly.workers);
   world.space.events.insert(world.space.events.end(), world.pending_events.begin(), world.pending_events.end());
   world.pending_events.clear();
   world.space.interventions = std::move(world.pending_interventions);

@@ -51,10 +51,11 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   phases::connect(world.space, ConnectAccess(world.space), AfterMoveAccess(world.space), world.assembly.engines,
                   world.assembly.groups);
   phases::handOver(world.space, HandOverAccess(world.space), world.space.events, world.assembly.engines,
-                   world.assembly.robots, world.assembly.triggers, world.assembly.memberships);
+                   world.assembly.robots, world.assembly.triggers,
+                   writable<WrittenIn::kConnect>(world.assembly.memberships));
   removeFallen();
   stopwatch.lap(phase_times_.connect);
-  phases::index(world.space, world.space.index, world.space.outside, world.space.events, world.assembly.workers);
+  phases::index(world.space, IndexAccess(world.space), world.assembly.workers);
   stopwatch.lap(phase_times_.index);
   phases::power(world.space, PowerAccess(world.space));
   stopwatch.lap(phase_times_.power);

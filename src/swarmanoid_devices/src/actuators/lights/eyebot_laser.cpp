@@ -19,7 +19,7 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     description.label = EyebotLaser::kType;
     description.implementation = "default";
     description.is_default = true;
-    description.summary = "A laser pointer that makes a red spot on what is below.";
+    description.summary = "A laser pointer that makes a red spot on the surface below.";
     description.parameters = {angle("noise", "0", {0.0, 10.0}, "Standard deviation added to the beam's tilt.")};
     return description;
   }

@@ -14,7 +14,7 @@ class LoudspeakerActuator final : public ActuatorOf<Loudspeaker> {
     description.label = Loudspeaker::kType;
     description.implementation = "default";
     description.is_default = true;
-    description.summary = "Sounds a tone, which all microphones within their range hear, until it falls silent.";
+    description.summary = "Emits a tone for all microphones within their range, until it falls silent.";
     return description;
   }
 

@@ -1,5 +1,5 @@
 /// Base class of devices that send messages: their command is the message. Receivers read it in the next tick
-/// (sensors/message_receiver.hpp), so nothing is passed on.
+/// (sensors/messages/message_receiver.hpp), so nothing is passed on.
 ///
 /// A sender consists of its struct, which derives from MessageCommand and has kLink, and a class such as
 ///

@@ -65,7 +65,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     description.implementation = "color_blobs";
     description.is_default = true;
     description.parameters = {
-        number("range", "m", range, {0.0, 100.0}, "Horizontal distance beyond which nothing is seen, before noise."),
+        number("range", "m", range, {0.0, 100.0}, "Maximum horizontal distance, before noise."),
         number("noise_distance", "", "0", {0.0, 1.0}, "Standard deviation of the factor on each distance."),
         angle("noise_bearing", "0", {0.0, 90.0}, "Standard deviation added to each bearing."),
         integer("max_blobs", "128", {1.0, 10000.0}, "Blobs reported at the most in one tick, the nearest."),

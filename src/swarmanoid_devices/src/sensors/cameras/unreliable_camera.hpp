@@ -36,15 +36,14 @@ class UnreliableCamera final : public Camera {
     description.implementation = "unreliable";
     description.is_default = false;
     description.implementation_aliases.clear();
-    description.summary += " It misses some, and reports some where nothing is.";
+    description.summary += " It misses some blobs, and reports false ones.";
     description.parameters.push_back(
         number("missed", "", "0.05", {0.0, 1.0}, "Probability to miss a blob, in each tick anew."));
-    description.parameters.push_back(
-        number("missed_per_metre", "1/m", "0", {0.0, 10.0}, "By which that grows with the way to what is seen."));
-    description.parameters.push_back(
-        number("false_blobs", "1/s", "0.5", {0.0, 1000.0}, "Mean number of blobs where nothing is."));
+    description.parameters.push_back(number("missed_per_metre", "1/m", "0", {0.0, 10.0},
+                                            "Increase of that probability with the distance to the blob."));
+    description.parameters.push_back(number("false_blobs", "1/s", "0.5", {0.0, 1000.0}, "Mean rate of false blobs."));
     description.parameters.push_back(makeParameter("false_colors", Parameter::Type::kText, "", "red green blue", {},
-                                                   "Colours of which these have one, with spaces between them."));
+                                                   "Colours of false blobs, separated by spaces."));
     return description;
   }
 

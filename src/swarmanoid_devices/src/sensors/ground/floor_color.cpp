@@ -20,7 +20,7 @@ class FloorColorSensor final : public SensorOf<FloorColor, FloorColorInstance> {
     description.label = FloorColor::kType;
     description.implementation = "rgb";
     description.is_default = true;
-    description.summary = "The colour of paint, patch, image or bare floor, whatever lies on top.";
+    description.summary = "The colour of the topmost layer: paint, patch, image or bare floor.";
     description.parameters = {number("range", "m", numberText(FloorColor::kUsualRange), {0.001, 1.0},
                                      "Distance beyond which there is no ground.")};
     return description;

@@ -19,7 +19,7 @@ class PrintedFloorSensor final : public Ideal {
         number("ink_transparency", "", numberText(GroundResponse::kUsualTransparency), {0.0, 1.0},
                "Part of the infrared light that coloured inks let through; black does not."));
     description.parameters.push_back(number("black", "", numberText(GroundResponse::kUsualBlack), {0.0, 1.0},
-                                            "What printed black reflects of what white paper does."));
+                                            "Reflectance of printed black relative to white paper."));
     return description;
   }
 

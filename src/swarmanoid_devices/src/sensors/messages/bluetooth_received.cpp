@@ -8,7 +8,7 @@ namespace {
 class BluetoothReceiver final : public RadioReceiver<BluetoothReceived, Bluetooth> {
  public:
   static PluginDescription describe() {
-    return describeReceiver("Hears who sends in range, those who are near rather than those who are far.");
+    return describeReceiver("Receives messages of senders in range, near ones more reliably than far ones.");
   }
 };
 

@@ -99,17 +99,16 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     const std::string most = std::to_string(Received::kMostMessages);
     description.parameters = {
         number("range", "m", numberText(Received::kUsualRange), {0.001, 10000.0},
-               "Distance between transmitters beyond which nothing is heard."),
-        boolean("line_of_sight", Received::kNeedsSight ? "true" : "false",
-                "Whether what stands between transmitters hides them."),
-        number("loss", "", "0", {0.0, 1.0}, "Probability with which a message is lost, each by itself."),
+               "Maximum range, between transmitters."),
+        boolean("line_of_sight", Received::kNeedsSight ? "true" : "false", "Whether obstacles block reception."),
+        number("loss", "", "0", {0.0, 1.0}, "Loss probability of each message, independent of others."),
         number("loss_at_range", "", numberText(Received::kUsualLossAtRange), {0.0, 1.0},
-               "Probability with which distance loses a message from as far as the range, beside `loss`."),
-        integer("loss_exponent", "2", {1.0, 8.0}, "With which that grows with the distance."),
+               "Additional loss probability at maximum range."),
+        integer("loss_exponent", "2", {1.0, 8.0}, "Exponent of the increase of that probability with distance."),
         integer("slots", most, {1.0, static_cast<double>(Received::kMostMessages)},
                 Received::kSharesChannel
-                    ? "Messages, for whomever, that come at the most in one tick, those of the nearest senders."
-                    : "Messages reported at the most in one tick, those of the nearest senders.")};
+                    ? "Maximum number of messages in one tick, for any receiver; the nearest senders have priority."
+                    : "Maximum number of messages reported in one tick; the nearest senders have priority.")};
     return description;
   }
 

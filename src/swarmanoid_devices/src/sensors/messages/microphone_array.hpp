@@ -71,13 +71,12 @@ class MicrophoneArray : public SensorOf<Device, InstanceOfArray> {
     description.implementation = "inverse_square";
     description.is_default = true;
     description.summary = summary;
-    description.parameters = {
-        number("range", "m", numberText(Sound::kUsualRange), {0.001, 10000.0},
-               "Distance from the middle of the microphones beyond which a source is not heard."),
-        number("background", "dB", numberText(Sound::kUsualBackground), {0.0, 140.0},
-               "Sound pressure level of the surroundings, re 20 uPa, which is heard in silence."),
-        number("shadow", "dB", "0", {0.0, 100.0},
-               "By which a source is softer if something stands between; 0: nothing is looked for.")};
+    description.parameters = {number("range", "m", numberText(Sound::kUsualRange), {0.001, 10000.0},
+                                     "Distance from the middle of the microphones beyond which a source is not heard."),
+                              number("background", "dB", numberText(Sound::kUsualBackground), {0.0, 140.0},
+                                     "Sound pressure level of the surroundings, re 20 uPa, which is heard in silence."),
+                              number("shadow", "dB", "0", {0.0, 100.0},
+                                     "Attenuation of a source behind an obstacle; 0: obstacles are ignored.")};
     return description;
   }
 

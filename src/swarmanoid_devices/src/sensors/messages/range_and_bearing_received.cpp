@@ -8,7 +8,7 @@ namespace {
 class RangeAndBearingReceiver final : public MessageReceiver<RangeAndBearingReceived, RangeAndBearing> {
  public:
   static PluginDescription describe() {
-    return describeReceiver("Hears all who send in sight and in range, and measures where they are.");
+    return describeReceiver("Receives messages of all senders in sight and in range, and measures their positions.");
   }
 };
 

@@ -19,7 +19,7 @@ class RfidReaderSensor final : public SensorOf<RfidReader, ReaderInstance> {
     description.label = RfidReader::kType;
     description.implementation = "default";
     description.is_default = true;
-    description.summary = "Reads all tags within reach of the antenna, whatever stands between.";
+    description.summary = "Reads all tags within reach of the antenna, also behind obstacles.";
     const std::string most = std::to_string(RfidReader::kMostTags);
     description.parameters = {reachParameter(),
                               integer("slots", most, {1.0, static_cast<double>(RfidReader::kMostTags)},

@@ -17,8 +17,7 @@ class DistanceSensor : public DistanceRingSensor<DistanceSensor, Distance, Eigen
 
  public:
   static PluginDescription describe() {
-    return describeRing("Infrared sensors where the robot has them; the way to what is straight ahead.",
-                        Distance::kUsualRange);
+    return describeRing("Infrared sensors where the robot has them; distance straight ahead.", Distance::kUsualRange);
   }
 
   static float& valueOf(RoomyDistanceInstance& instance, std::size_t sensor) {

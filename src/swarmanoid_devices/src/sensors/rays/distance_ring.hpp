@@ -89,9 +89,8 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
     description.summary = summary;
     const Range any{0.0, Distance::kFarthest};
     description.parameters = {
-        number("range_min", "m", numberText(usual.minimum), any, "Distance below which something is too close."),
-        number("range_max", "m", numberText(usual.maximum), any, "Distance beyond which nothing is in range."),
-        tooCloseParameter()};
+        number("range_min", "m", numberText(usual.minimum), any, "Minimum range; nearer objects are too close."),
+        number("range_max", "m", numberText(usual.maximum), any, "Maximum range."), tooCloseParameter()};
     return description;
   }
 

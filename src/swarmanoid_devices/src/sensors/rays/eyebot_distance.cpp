@@ -9,9 +9,8 @@ namespace {
 class EyebotDistanceSensor : public DistanceRingSensor<EyebotDistanceSensor, EyebotDistance, EyebotDistance::kCount> {
  public:
   static PluginDescription describe() {
-    return describeRing(
-        "16 infrared sensors around the body, one upwards, one downwards; the way to what is straight ahead.",
-        EyebotDistance::kUsualRange);
+    return describeRing("16 infrared sensors around the body, one upwards, one downwards; distance straight ahead.",
+                        EyebotDistance::kUsualRange);
   }
 
   static float& valueOf(Instance& instance, std::size_t sensor) { return instance.readings->value(sensor); }

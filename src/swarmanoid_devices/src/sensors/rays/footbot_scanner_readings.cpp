@@ -49,7 +49,7 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     description.label = Readings::kType;
     description.implementation = "rays";
     description.is_default = true;
-    description.summary = "Two short and two long infrared beams on the head; the way to what is straight ahead.";
+    description.summary = "Two short and two long infrared beams on the head; distance straight ahead.";
     description.parameters = {
         number("rate", "1/s", "0", {0.0, 10000.0},
                "Samples of each beam in a second, from where the robot was then; 0: 8 in each tick."),

@@ -10,8 +10,7 @@ class HandbotDistanceSensor
     : public DistanceRingSensor<HandbotDistanceSensor, HandbotDistance, HandbotDistance::kCount> {
  public:
   static PluginDescription describe() {
-    return describeRing("12 infrared sensors around the body; the way to what is straight ahead.",
-                        HandbotDistance::kUsualRange);
+    return describeRing("12 infrared sensors around the body; distance straight ahead.", HandbotDistance::kUsualRange);
   }
 
   static float& valueOf(Instance& instance, std::size_t sensor) { return instance.readings->value(sensor); }

@@ -61,16 +61,15 @@ class LidarSensor final : public SensorOf<Lidar, LidarInstance> {
     description.label = Lidar::kType;
     description.implementation = "rays";
     description.is_default = true;
-    description.summary = "Laser beams in a plane; the way to what each of them meets.";
+    description.summary = "Laser beams in a plane; distance to the first hit of each.";
     const Range any{0.0, Lidar::kFarthest};
     description.parameters = {
         integer("beams", std::to_string(Lidar::kUsualBeams), {1.0, static_cast<double>(Lidar::kMostBeams)},
                 "Beams, evenly over the field of view."),
         angle("field_of_view", "360", {0.0, 360.0}, "Angle from the first beam to the last, symmetric about ahead."),
         number("range_min", "m", numberText(Lidar::kUsualRange.minimum), any,
-               "Distance below which something is too close."),
-        number("range_max", "m", numberText(Lidar::kUsualRange.maximum), any,
-               "Distance beyond which nothing is in range."),
+               "Minimum range; nearer objects are too close."),
+        number("range_max", "m", numberText(Lidar::kUsualRange.maximum), any, "Maximum range."),
         number("noise", "m", "0", {0.0, 10.0}, "Standard deviation added to each distance."),
         number("rate", "1/s", "0", {0.0, 10000.0}, "Scans in a second, at most one a tick; 0: one in each tick.")};
     return description;

@@ -25,14 +25,14 @@ struct Battery {
 
 template <class Visitor>
 void fields(Visitor& visit, Battery& battery) {
-  visit(battery.charge, {"charge", "J", "that is left"});
-  visit(battery.capacity, {"capacity", "J", "the most that it holds"});
+  visit(battery.charge, {"charge", "J", "remaining charge"});
+  visit(battery.capacity, {"capacity", "J", "maximum charge"});
   visit(battery.voltage, {"voltage", "V", "of the battery"});
   visit(battery.power, {"power", "W", "that the robot draws, less that at which it is charged"});
-  visit(battery.is_charging, {"is_charging", "", "something charges it"});
+  visit(battery.is_charging, {"is_charging", "", "a charger is connected"});
   visit(battery.on_capacitor,
         {"on_capacitor", "", "a super-capacitor alone keeps the robot alive; its wheels are off"});
 }
-REGISTER_DEVICE_OF_SUITE(Battery, kSensor, "What is left in the robot's battery.")
+REGISTER_DEVICE_OF_SUITE(Battery, kSensor, "State of the robot's battery.")
 
 }  // namespace swarmanoid

@@ -35,14 +35,14 @@ struct ColorBlob {
 
 template <class Visitor>
 void fields(Visitor& visit, ColorBlob& blob) {
-  visit(blob.color, {"color", "", "of the thing that is seen"});
+  visit(blob.color, {"color", "", "of the blob"});
   visit(blob.bearing,
         {"bearing", "rad", "direction in the robot's frame, counter-clockwise from ahead", {-M_PI, M_PI}, true});
   visit(blob.distance,
         orUnknown(
             {"distance", "m", "horizontal, from the camera's vertical axis; NaN if it cannot know", {0.0, kInfinity}}));
   visit(blob.elevation, {"elevation", "rad", "direction over the camera's horizon", {-M_PI_2, M_PI_2}});
-  visit(blob.size, {"size", "rad", "angle that the thing takes in the picture", {0.0, kInfinity}});
+  visit(blob.size, {"size", "rad", "angle that the blob subtends", {0.0, kInfinity}});
 }
 
 /// The reading of a colour-blob camera in this tick. Omnidirectional and downward cameras measure distances; cameras
@@ -59,7 +59,7 @@ struct ColorBlobs {
 template <class Visitor>
 void fields(Visitor& visit, ColorBlobs& camera) {
   visit(camera.blobs, {"blobs"});
-  visit(camera.overflowed, {"overflowed", "", "more was in sight than is reported; what is farthest is left out"});
+  visit(camera.overflowed, {"overflowed", "", "more blobs were in sight than reported; the farthest are left out"});
 }
 
 /// The footbot's omnidirectional camera ("pie camera").

@@ -20,8 +20,8 @@ struct DifferentialDrive {
 
 template <class Visitor>
 void fields(Visitor& visit, DifferentialDrive& drive) {
-  visit(drive.speed, {"speed", "m/s", "along the robot's x axis; cut by what the wheels can do"});
-  visit(drive.turn_rate, {"turn_rate", "rad/s", "counter-clockwise; cut likewise"});
+  visit(drive.speed, {"speed", "m/s", "along the robot's x axis; cut to the limits of the wheels"});
+  visit(drive.turn_rate, {"turn_rate", "rad/s", "counter-clockwise; cut to the limits of the wheels"});
 }
 REGISTER_DEVICE_OF_SUITE(DifferentialDrive, kActuator, "Two wheels on one axle, by speed and turn rate.")
 

@@ -63,23 +63,26 @@ std::array<float, count> unmeasuredDistances() {
 /// Describes the fields of a device that hold its measuring range.
 template <class Visitor, class Device>
 void rangeFields(Visitor& visit, Device& device) {
-  visit(device.range_min, {"range_min", "m", "what is nearer is too close", {0.0, Distance::kFarthest}});
-  visit(device.range_max, {"range_max", "m", "what is farther is out of range", {0.0, Distance::kFarthest}});
+  visit(device.range_min,
+        {"range_min", "m", "minimum range: nearer objects are too close", {0.0, Distance::kFarthest}});
+  visit(device.range_max,
+        {"range_max", "m", "maximum range: farther objects are out of range", {0.0, Distance::kFarthest}});
 }
 
-constexpr const char* kDistanceMeaning = "inf: nothing in range; -inf: something is too close; nan: not measured";
+constexpr const char* kDistanceMeaning = "inf: out of range; -inf: too close; nan: not measured";
 
 template <class Visitor>
 void fields(Visitor& visit, DistanceReading& reading) {
   visit(reading.distance, distanceField("distance", kDistanceMeaning, {0.0, Distance::kFarthest}));
-  visit(reading.angle, {"angle", "rad", "where the sensor looks in the robot's frame", {-M_PI, M_PI}, true});
-  visit(reading.elevation, {"elevation", "rad", "likewise, upwards from level", {-M_PI / 2.0, M_PI / 2.0}});
+  visit(reading.angle, {"angle", "rad", "direction of the sensor in the robot's frame", {-M_PI, M_PI}, true});
+  visit(reading.elevation,
+        {"elevation", "rad", "elevation of that direction above the horizontal", {-M_PI / 2.0, M_PI / 2.0}});
 }
 template <class Visitor>
 void fields(Visitor& visit, Distance& distance) {
   visit(distance.sensors, {"sensors"});
   rangeFields(visit, distance);
 }
-REGISTER_DEVICE_OF_SUITE(Distance, kSensor, "Infrared distance sensors, as many as the robot has, wherever they look.")
+REGISTER_DEVICE_OF_SUITE(Distance, kSensor, "Infrared distance sensors, as many as the robot has, in any direction.")
 
 }  // namespace swarmanoid

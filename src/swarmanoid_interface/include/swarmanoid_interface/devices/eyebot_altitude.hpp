@@ -28,8 +28,8 @@ template <class Visitor>
 void fields(Visitor& visit, EyebotAltitude& altitude) {
   constexpr Range kAny{0.0, EyebotAltitude::kFarthest};
   visit(altitude.distance, distanceField("distance", kDistanceMeaning, kAny));
-  visit(altitude.range_min, {"range_min", "m", "what is nearer is too close", kAny});
-  visit(altitude.range_max, {"range_max", "m", "what is farther is out of range", kAny});
+  visit(altitude.range_min, {"range_min", "m", "minimum range: nearer objects are too close", kAny});
+  visit(altitude.range_max, {"range_max", "m", "maximum range: farther objects are out of range", kAny});
 }
 REGISTER_DEVICE_OF_SUITE(EyebotAltitude, kSensor, "Distance to the ground straight below.")
 

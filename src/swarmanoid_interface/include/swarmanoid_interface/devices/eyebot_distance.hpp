@@ -40,8 +40,8 @@ template <class Visitor>
 void fields(Visitor& visit, EyebotDistance& distance) {
   constexpr Range kAny{0.0, Distance::kFarthest};
   visit(distance.around, distanceField("around", kDistanceMeaning, kAny));
-  visit(distance.up, distanceField("up", "likewise", kAny));
-  visit(distance.down, distanceField("down", "likewise", kAny));
+  visit(distance.up, distanceField("up", "as `around`, upwards", kAny));
+  visit(distance.down, distanceField("down", "as `around`, downwards", kAny));
   rangeFields(visit, distance);
 }
 REGISTER_DEVICE_OF_SUITE(EyebotDistance, kSensor,

@@ -31,6 +31,6 @@ inline bool stopSafely(EyebotLaser& laser, const SafeStopMoment& /*moment*/) {
   laser.on = false;
   return true;
 }
-REGISTER_DEVICE_OF_SUITE(EyebotLaser, kActuator, "A laser pointer that makes a red spot on what is below.")
+REGISTER_DEVICE_OF_SUITE(EyebotLaser, kActuator, "A laser pointer that makes a red spot on the surface below.")
 
 }  // namespace swarmanoid

@@ -19,7 +19,7 @@ struct EyebotMagnet {
 
 template <class Visitor>
 void fields(Visitor& visit, EyebotMagnet& magnet) {
-  visit(magnet.on, {"on", "", "on: holds what it touches, if that is ferromagnetic; off: lets go"});
+  visit(magnet.on, {"on", "", "on: holds a ferromagnetic object that it touches; off: releases it"});
 }
 /// The command stays, so that a hanging eyebot does not fall.
 inline bool stopSafely(EyebotMagnet& /*magnet*/, const SafeStopMoment& /*moment*/) { return true; }

@@ -20,7 +20,7 @@ struct FootbotGripper {
 
 template <class Visitor>
 void fields(Visitor& visit, FootbotGripper& gripper) {
-  visit(gripper.closed, {"closed", "", "closed: holds what it reaches; open: lets go"});
+  visit(gripper.closed, {"closed", "", "closed: grips an object within reach; open: releases it"});
 }
 /// The command stays, so that a held object is not dropped.
 inline bool stopSafely(FootbotGripper& /*gripper*/, const SafeStopMoment& /*moment*/) { return true; }

@@ -40,7 +40,7 @@ template <class Visitor>
 void fields(Visitor& visit, FootbotPreferentialDirection& shown) {
   visit(shown.direction, {"direction", "rad", "in the robot's frame, counter-clockwise from ahead"});
   visit(shown.color, {"color", "", "of the three LEDs nearest to the direction; black is off"});
-  visit(shown.other_color, {"other_color", "", "of the others; black is off"});
+  visit(shown.other_color, {"other_color", "", "of the other LEDs; black is off"});
 }
 /// The LEDs keep their colours.
 inline bool stopSafely(FootbotPreferentialDirection& /*shown*/, const SafeStopMoment& /*moment*/) { return true; }

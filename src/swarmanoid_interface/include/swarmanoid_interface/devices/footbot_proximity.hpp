@@ -26,7 +26,7 @@ struct FootbotProximity {
 
 template <class Visitor>
 void fields(Visitor& visit, FootbotProximity& proximity) {
-  visit(proximity.value, {"value", "", "0 with nothing in range, 1 at contact", {0.0, 1.0}});
+  visit(proximity.value, {"value", "", "0 without an object in range, 1 at contact", {0.0, 1.0}});
 }
 REGISTER_DEVICE_OF_SUITE(FootbotProximity, kSensor, "24 infrared sensors around the body.")
 

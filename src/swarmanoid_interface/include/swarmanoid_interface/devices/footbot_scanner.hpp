@@ -109,11 +109,10 @@ void fields(Visitor& visit, FootbotScannerReadings& scanner) {
   visit(scanner.period, {"period", "s", "over which the samples were taken"});
   visit(scanner.angles, {"angles", "rad", "of the head when each sample was taken", {-M_PI, M_PI}, true});
   visit(scanner.short_ahead, distanceField("short_ahead", kDistanceMeaning, kShort));
-  visit(scanner.long_left, distanceField("long_left", "likewise, a quarter of a turn further left", kLong));
-  visit(scanner.short_behind, distanceField("short_behind", "likewise, half a turn further", kShort));
-  visit(scanner.long_right, distanceField("long_right", "likewise, a quarter of a turn further right", kLong));
+  visit(scanner.long_left, distanceField("long_left", "as `short_ahead`, a quarter of a turn further left", kLong));
+  visit(scanner.short_behind, distanceField("short_behind", "as `short_ahead`, half a turn further", kShort));
+  visit(scanner.long_right, distanceField("long_right", "as `short_ahead`, a quarter of a turn further right", kLong));
 }
-REGISTER_DEVICE_OF_SUITE(FootbotScannerReadings, kSensor,
-                         "What the beams of the rotating distance scanner have measured.")
+REGISTER_DEVICE_OF_SUITE(FootbotScannerReadings, kSensor, "Readings of the beams of the rotating distance scanner.")
 
 }  // namespace swarmanoid

@@ -17,7 +17,7 @@ struct HandbotHands {
 
 template <class Visitor>
 void fields(Visitor& visit, HandbotHands& hands) {
-  visit(hands.left, {"left", "", "suction on: holds what the cups touch; off: lets go"});
+  visit(hands.left, {"left", "", "suction on: holds an object that the cups touch; off: releases it"});
   visit(hands.right, {"right", "", "the same of the right hand"});
 }
 /// The command stays, so that a held object is not dropped.
@@ -41,7 +41,7 @@ struct HandbotHandsState {
 template <class Visitor>
 void fields(Visitor& visit, HandbotHandsState::Hand& hand) {
   visit(hand.holding, {"holding", "", "whether the hand holds something"});
-  visit(hand.force, {"force", "N", "between hand and what it holds, smoothed", {0.0, kInfinity}});
+  visit(hand.force, {"force", "N", "between hand and held object, smoothed", {0.0, kInfinity}});
 }
 template <class Visitor>
 void fields(Visitor& visit, HandbotHandsState& hands) {

@@ -18,7 +18,7 @@ struct HandbotProximity {
 
 template <class Visitor>
 void fields(Visitor& visit, HandbotProximity& proximity) {
-  visit(proximity.left, {"left", "", "0 with nothing in range, 1 at contact", {0.0, 1.0}});
+  visit(proximity.left, {"left", "", "0 without an object in range, 1 at contact", {0.0, 1.0}});
   visit(proximity.right, {"right", "", "the same of the right hand", {0.0, 1.0}});
 }
 REGISTER_DEVICE_OF_SUITE(HandbotProximity, kSensor, "Infrared proximity sensors in the palms.")

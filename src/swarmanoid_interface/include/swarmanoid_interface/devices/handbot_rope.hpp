@@ -22,7 +22,7 @@ struct HandbotRope {
 
 template <class Visitor>
 void fields(Visitor& visit, HandbotRope& rope) {
-  visit(rope.shot, {"shot", "", "true: it flies up, and holds what is ferromagnetic; false: it lets go and is back"});
+  visit(rope.shot, {"shot", "", "true: it flies up, and holds ferromagnetic objects; false: it lets go and is back"});
   visit(rope.winding_speed, {"winding_speed", "m/s", "positive shortens the rope; cut to max_speed either way"});
 }
 /// `shot` stays as it is, so that a robot that hangs by the rope does not fall.
@@ -47,7 +47,7 @@ template <class Visitor>
 void fields(Visitor& visit, HandbotRopeState& rope) {
   visit(rope.attached, {"attached", "", "whether the magnet holds something"});
   visit(rope.length, {"length", "m", "of the rope that is out; 0 when it is not attached", {0.0, kInfinity}});
-  visit(rope.tension, {"tension", "N", "smoothed; a slack rope has none", {0.0, kInfinity}});
+  visit(rope.tension, {"tension", "N", "smoothed; 0 for a slack rope", {0.0, kInfinity}});
 }
 REGISTER_DEVICE_OF_SUITE(HandbotRopeState, kSensor, "The rope's encoder and tension sensor.")
 

@@ -29,9 +29,9 @@ struct Holders {
 
 template <class Visitor>
 void fields(Visitor& visit, Holders::Holder& holder) {
-  visit(holder.holds, {"holds", "", "true: takes hold of what it reaches, a rope is shot; false: lets go"});
+  visit(holder.holds, {"holds", "", "true: grips an object within reach, a rope is shot; false: releases it"});
   visit(holder.winding_speed,
-        {"winding_speed", "m/s", "positive shortens a rope; cut to max_speed either way; of others without meaning"});
+        {"winding_speed", "m/s", "positive shortens a rope; cut to max_speed either way; ignored for other holders"});
 }
 template <class Visitor>
 void fields(Visitor& visit, Holders& holders) {
@@ -63,13 +63,13 @@ struct HolderStates {
 template <class Visitor>
 void fields(Visitor& visit, HolderStates::Holder& holder) {
   visit(holder.is_holding, {"is_holding", "", "whether it holds something"});
-  visit(holder.length, {"length", "m", "of the rope that is out; 0 when it holds nothing", {0.0, kInfinity}});
-  visit(holder.force, {"force", "N", "on what is held, smoothed; a gripper measures none", {0.0, kInfinity}});
+  visit(holder.length, {"length", "m", "of the unwound rope; 0 without a held object", {0.0, kInfinity}});
+  visit(holder.force, {"force", "N", "on the held object, smoothed; 0 for grippers", {0.0, kInfinity}});
 }
 template <class Visitor>
 void fields(Visitor& visit, HolderStates& states) {
   visit(states.holders, {"holders"});
 }
-REGISTER_DEVICE_OF_SUITE(HolderStates, kSensor, "Contact, length and force of what the robot holds with.")
+REGISTER_DEVICE_OF_SUITE(HolderStates, kSensor, "Contact, rope length and force of the robot's holders.")
 
 }  // namespace swarmanoid

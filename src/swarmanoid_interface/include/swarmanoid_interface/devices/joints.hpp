@@ -76,7 +76,7 @@ struct JointStates {
 
 template <class Visitor>
 void fields(Visitor& visit, JointStates::Joint& joint) {
-  visit(joint.angle, {"angle", "rad", "of the link against what carries it"});
+  visit(joint.angle, {"angle", "rad", "of the link relative to its parent link"});
   visit(joint.speed, {"speed", "rad/s", "how fast it turns"});
   visit(joint.effort, {"effort", "N m", "of motor and stops, along positive angles; 0 in engines without forces"});
 }

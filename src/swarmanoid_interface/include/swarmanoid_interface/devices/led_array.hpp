@@ -23,7 +23,7 @@ struct Leds {
 template <class Visitor>
 void fields(Visitor& visit, Leds& leds) {
   visit(leds.colors,
-        {"colors", "", "in the order of the description; black is off; those beyond the robot's LEDs are not shown"});
+        {"colors", "", "in the order of the description; black is off; colours beyond the robot's LEDs are ignored"});
 }
 /// The LEDs keep their colours.
 inline bool stopSafely(Leds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }

@@ -59,8 +59,9 @@ void fields(Visitor& visit, LidarBeam& beam) {
 template <class Visitor>
 void fields(Visitor& visit, Lidar& lidar) {
   visit(lidar.beams, {"beams"});
-  visit(lidar.range_min, {"range_min", "m", "what is nearer is too close", {0.0, Lidar::kFarthest}});
-  visit(lidar.range_max, {"range_max", "m", "what is farther is out of range", {0.0, Lidar::kFarthest}});
+  visit(lidar.range_min, {"range_min", "m", "minimum range: nearer objects are too close", {0.0, Lidar::kFarthest}});
+  visit(lidar.range_max,
+        {"range_max", "m", "maximum range: farther objects are out of range", {0.0, Lidar::kFarthest}});
   visit(lidar.scan_time, {"scan_time", "s", "from one scan to the next"});
   visit(lidar.age, {"age", "s", "of the scan; 0 in the tick in which it is new"});
 }

@@ -20,7 +20,7 @@ struct LightReading {
 template <class Visitor>
 void fields(Visitor& visit, LightReading& reading) {
   visit(reading.value, {"value", "", "0 in the dark, 1 at most", {0.0, 1.0}});
-  visit(reading.angle, {"angle", "rad", "where the sensor looks in the robot's frame", {-M_PI, M_PI}, true});
+  visit(reading.angle, {"angle", "rad", "direction of the sensor in the robot's frame", {-M_PI, M_PI}, true});
 }
 
 /// Readings in the order of the sensors: that of the links light_0, light_1, ... of the robot's description, or, if it

@@ -58,7 +58,7 @@ struct MessageCommand {
 
 template <class Visitor, std::size_t byte_count>
 void fields(Visitor& visit, MessageCommand<byte_count>& command) {
-  visit(command.payload, {"payload", "", "the bytes of the message; what they mean, controllers agree on"});
+  visit(command.payload, {"payload", "", "the bytes of the message; controllers define their meaning"});
   visit(command.sends, {"sends", "", "whether it sends them, in each tick until this changes"});
 }
 

@@ -43,7 +43,7 @@ void fields(Visitor& visit, LoudestSound& loudest) {
                           {-M_PI, M_PI},
                           true});
   visit(loudest.confidence, {"confidence", "", "part of the power of all that is heard; 0: no bearing", {0.0, 1.0}});
-  visit(loudest.frequency, {"frequency", "Hz", "of the loudest source; 0: none is heard", {0.0, 20000.0}});
+  visit(loudest.frequency, {"frequency", "Hz", "of the loudest source; 0: no source is heard", {0.0, 20000.0}});
 }
 
 /// The reading and the position of one microphone.

@@ -16,8 +16,8 @@ struct ProximityReading {
 
 template <class Visitor>
 void fields(Visitor& visit, ProximityReading& reading) {
-  visit(reading.value, {"value", "", "0 with nothing in range, 1 at contact", {0.0, 1.0}});
-  visit(reading.angle, {"angle", "rad", "where the sensor looks in the robot's frame", {-M_PI, M_PI}, true});
+  visit(reading.value, {"value", "", "0 without an object in range, 1 at contact", {0.0, 1.0}});
+  visit(reading.angle, {"angle", "rad", "direction of the sensor in the robot's frame", {-M_PI, M_PI}, true});
 }
 
 /// Readings in the order of the sensors: that of the links proximity_0, proximity_1, ... of the robot's description.

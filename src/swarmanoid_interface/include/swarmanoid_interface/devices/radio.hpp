@@ -49,7 +49,7 @@ struct RadioCommand : MessageCommand<byte_count> {
 template <class Visitor, std::size_t byte_count>
 void fields(Visitor& visit, RadioCommand<byte_count>& command) {
   fields(visit, static_cast<MessageCommand<byte_count>&>(command));
-  visit(command.to, {"to", "", "address of the robot that alone shall have it; 0: everybody"});
+  visit(command.to, {"to", "", "address of the only receiver; 0: all robots"});
 }
 
 /// One message.

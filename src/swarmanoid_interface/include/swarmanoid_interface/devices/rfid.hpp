@@ -29,7 +29,7 @@ struct RfidTagReading {
 template <class Visitor>
 void fields(Visitor& visit, RfidTagReading& tag) {
   visit(tag.id, {"id", "", "of the tag, 1 or more"});
-  visit(tag.data, {"data", "", "what the tag holds"});
+  visit(tag.data, {"data", "", "content of the tag"});
 }
 
 /// The tags within reach, nearest first, equally near ones by entity number. If there are more tags than slots, the
@@ -71,7 +71,7 @@ template <class Visitor>
 void fields(Visitor& visit, RfidWriter& writer) {
   visit(writer.writes, {"writes", "", "whether it writes, in each tick until this changes"});
   visit(writer.id, {"id", "", "of the tag; 0: the nearest within reach"});
-  visit(writer.data, {"data", "", "what the tag is to hold"});
+  visit(writer.data, {"data", "", "new content of the tag"});
 }
 REGISTER_DEVICE_OF_SUITE(RfidWriter, kActuator, "Writes a number to a radio tag within reach.")
 

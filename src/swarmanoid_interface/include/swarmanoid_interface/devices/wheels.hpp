@@ -23,7 +23,8 @@ template <class Visitor>
 void fields(Visitor& visit, Wheels& wheels) {
   visit(wheels.left,
         {"left", "rad/s", "angular velocity of the left wheel, positive drives ahead; cut to the motor's maximum"});
-  visit(wheels.right, {"right", "rad/s", "angular velocity of the right wheel, positive drives ahead; cut likewise"});
+  visit(wheels.right,
+        {"right", "rad/s", "angular velocity of the right wheel, positive drives ahead; cut to the motor's maximum"});
 }
 REGISTER_DEVICE_OF_SUITE(Wheels, kActuator, "Two wheels on one axle, left and right.")
 

@@ -29,7 +29,7 @@ class EntitiesWithoutEngine {
   bool has(Row row) const { return grid_.has(static_cast<std::int32_t>(row)); }
   bool isEmpty() const { return grid_.isEmpty(); }
 
-  /// Same as the functions of Engine (engine.hpp).
+  /// Same as the functions of RayTarget (ray_target.hpp).
   bool mayHit(const RayBundle& rays) const;
   void findObstacles(const RayBundle& rays, Obstacles& found) const;
   void raycast(const Entities& entities, const RayBundle& rays, Span<RayHit> hits) const;

@@ -82,7 +82,7 @@ class Columns {
   void reset(Row row, const EntityModel* model);
   /// Visits the values of an entity: those in the hash, and all others if the visitor wants detail.
   void visit(StateVisitor& visitor, const CellOwner& owner) const;
-  const std::vector<ColumnBase*>& all() const { return columns_; }
+  std::vector<const ColumnBase*> all() const { return {columns_.begin(), columns_.end()}; }
 
  private:
   friend class ColumnBase;
@@ -157,7 +157,13 @@ class ListByRow {
     std::size_t count = 0;
   };
 
+  // not for plugins, which have references to columns: they cannot replace a column as a whole
   ListByRow() = default;
+  ListByRow(const ListByRow&) = default;
+  ListByRow(ListByRow&&) noexcept = default;
+  ListByRow& operator=(const ListByRow&) = default;
+  ListByRow& operator=(ListByRow&&) noexcept = default;
+  ~ListByRow() = default;
 
   RowMap<Place> places_;
   std::vector<Value> values_;  // of all entities

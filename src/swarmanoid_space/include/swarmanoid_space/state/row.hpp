@@ -47,7 +47,13 @@ class ByRow {
   auto end() const { return values_.end(); }
 
  protected:
+  // only for derived classes: a reference to a column of the space must not replace it as a whole
   ByRow() = default;
+  ByRow(const ByRow&) = default;
+  ByRow(ByRow&&) noexcept = default;
+  ByRow& operator=(const ByRow&) = default;
+  ByRow& operator=(ByRow&&) noexcept = default;
+  ~ByRow() = default;
 
   std::vector<Value> values_;
 };

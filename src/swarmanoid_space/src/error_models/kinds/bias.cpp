@@ -7,7 +7,7 @@ namespace {
 class Bias final : public NumberError<Bias> {
  public:
   static ErrorKindDescription describe() {
-    return {"bias", "Adds an offset.", {errorParameter("offset", {-1e9, 1e9}, "What is added.")}};
+    return {"bias", "Adds an offset.", {errorParameter("offset", {-1e9, 1e9}, "Added value.")}};
   }
 
   explicit Bias(const Configuration& parameters) : offset_(parameters.number("offset")) {}

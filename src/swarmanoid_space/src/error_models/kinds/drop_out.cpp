@@ -8,7 +8,7 @@ class DropOut final : public WholeFieldError {
  public:
   static ErrorKindDescription describe() {
     return {"drop_out",
-            "Loses the values of a tick, all fields together: those of the tick before stay, at first those at rest.",
+            "Loses the values of a tick, all fields together: the previous values stay, at first the values at rest.",
             {errorParameter("probability", {0.0, 1.0}, "Probability in each tick.")}};
   }
 

@@ -8,7 +8,7 @@ class Factor final : public NumberError<Factor> {
  public:
   static ErrorKindDescription describe() {
     return {"factor",
-            "Multiplies with a draw from the normal distribution, in each tick another.",
+            "Multiplies with a draw from the normal distribution, a new one in each tick.",
             {errorParameter("mean", {-1e9, 1e9}, "Mean of the factor.", "1"),
              errorParameter("deviation", {0.0, 1e9}, "Standard deviation of the factor.", "0")}};
   }

@@ -8,7 +8,7 @@ class Gaussian final : public NumberError<Gaussian> {
  public:
   static ErrorKindDescription describe() {
     return {"gaussian",
-            "Adds a draw from the normal distribution with mean 0, in each tick another.",
+            "Adds a draw from the normal distribution with mean 0, a new one in each tick.",
             {errorParameter("deviation", {0.0, 1e9}, "Standard deviation.")}};
   }
 

@@ -8,7 +8,7 @@ class Latency final : public WholeFieldError {
  public:
   static ErrorKindDescription describe() {
     ErrorKindDescription description{
-        "latency", "Delivers the values of some ticks ago; those at rest until there are such.", {}};
+        "latency", "Delivers the values of some ticks ago; until then the values at rest.", {}};
     description.parameters = {makeParameter("ticks", Parameter::Type::kInteger, "ticks", std::nullopt, {1.0, 10000.0},
                                             "How late the values are.")};
     return description;

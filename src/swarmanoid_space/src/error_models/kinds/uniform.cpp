@@ -8,7 +8,7 @@ class Uniform final : public NumberError<Uniform> {
  public:
   static ErrorKindDescription describe() {
     return {"uniform",
-            "Adds a draw from the uniform distribution around 0, in each tick another.",
+            "Adds a draw from the uniform distribution around 0, a new one in each tick.",
             {errorParameter("half_width", {0.0, 1e9}, "The greatest that is added or taken away.")}};
   }
 
