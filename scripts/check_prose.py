@@ -60,10 +60,15 @@ def places(paths):
                 yield path, line + prose.count("\n", 0, found.start()), word
 
 
-def main():
+def sources():
+    """@return all files with prose, without this one"""
     patterns = ("*.cpp", "*.hpp", "*.py", "*.md", "*.sh", "*.cmake", "*CMakeLists.txt")
     listed = subprocess.run(["git", "ls-files", *patterns], cwd=ROOT, check=True, capture_output=True, text=True).stdout
-    paths = [pathlib.Path(name) for name in listed.split() if (ROOT / name).exists() and name != "scripts/check_prose.py"]
+    return [pathlib.Path(name) for name in listed.split() if (ROOT / name).exists() and name != "scripts/check_prose.py"]
+
+
+def main():
+    paths = sources()
     wanted = [pathlib.Path(name).resolve().relative_to(ROOT) for name in sys.argv[1:]]
     if wanted:
         for path, line, word in places([path for path in paths if any(path.is_relative_to(start) for start in wanted)]):

@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
 """Tests of the scripts that check the sources, and of the measure of overlaps in figures of crowds."""
 
+import os
 import pathlib
+import subprocess
 import sys
+import tempfile
 import unittest
+import unittest.mock
 
 import numpy
 import check_prose
@@ -65,6 +69,29 @@ class TidyTest(unittest.TestCase):
 
     def test_comments_and_layout_are_no_code(self):
         self.assertEqual(tidy.code_of(self.CODE), tidy.code_of('/* one */ int a\n = 1;\nconst char* b = "// no comment";'))
+
+    def test_includes_are_no_code(self):
+        self.assertEqual(tidy.code_of(self.CODE), tidy.code_of('#include "a.hpp"\n#include <string>\n' + self.CODE))
+
+    def test_a_source_that_only_moved_has_not_changed(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(tidy, "ROOT", pathlib.Path(folder)):
+            def git(*arguments, **environment):
+                subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *arguments], cwd=folder, check=True,
+                               capture_output=True, env={**os.environ, **environment})
+
+            git("init")
+            for name in ("moved", "changed", "kept"):
+                (tidy.ROOT / f"{name}.cpp").write_text(f'#include "{name}.hpp"\nint {name}() {{ return 1; }}\n' * 20)
+            git("add", ".")
+            git("commit", "-m", "before", GIT_COMMITTER_DATE="2001-01-01T00:00:00Z")
+            (tidy.ROOT / "new_place").mkdir()
+            git("mv", "moved.cpp", "new_place/moved.cpp")
+            for name, old, new in (("new_place/moved", "moved.hpp", "other.hpp"), ("changed", "return 1", "return 2")):
+                file = tidy.ROOT / f"{name}.cpp"
+                file.write_text(file.read_text().replace(old, new))
+            git("add", ".")
+            git("commit", "-m", "after")
+            self.assertEqual({"changed.cpp"}, tidy.changed_since("2002-01-01"))
 
     def test_values_texts_and_disabled_checks_are(self):
         for other in ('int a = 2;  // one\nconst char* b = "// no comment";\n',

@@ -44,7 +44,7 @@ def robot_without_code(table, build):
 
 def layers(table):
     done = subprocess.run([sys.executable, ROOT / "scripts/check_layers.py"], capture_output=True, text=True)
-    table.add("code of interface, hosts, space and engines outside folders of devices", "names no robot, includes along the arrows only",
+    table.add("code of all packages; that of those below outside folders of devices", "names no robot, includes along the arrows only",
               (done.stdout.splitlines() or ["nothing printed"])[-1], done.returncode == 0)
 
 
@@ -66,5 +66,5 @@ def devices(table, build):
     errors(table, build)
     robot_without_code(table, build)
     layers(table)
-    table.add("lines of code of interface, hosts, mocks, space and engines, without comments and tests", "reported",
+    table.add("lines of code of interface, hosts, mocks, space, engines, experiment_files, recording and ros, without comments and tests", "reported",
               f"{lines_of_code():,}", None)

@@ -15,9 +15,11 @@ std::atomic<ScriptHostFactory> registered{nullptr};
 void registerScriptHost(ScriptHostFactory factory) { registered = factory; }
 
 std::shared_ptr<ScriptHost> makeScriptHost(const SourceLocation& location) {
-  for (const DeclaredLibrary& declared : declaredLibraries()) {
-    if (declared.scripts == "python") {
-      loadPluginLibrary(declared.library, {}, location);
+  if (registered == nullptr) {  // a loaded library has registered its factory
+    for (const DeclaredLibrary& declared : declaredLibraries()) {
+      if (declared.scripts == "python") {
+        loadPluginLibrary(declared.library, {}, location);
+      }
     }
   }
   const ScriptHostFactory factory = registered;

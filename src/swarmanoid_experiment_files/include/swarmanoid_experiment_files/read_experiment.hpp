@@ -1,4 +1,8 @@
-/// Reads experiment files (docs/reference/experiment_file.md).
+/// Reads experiment files (docs/reference/experiment_file.md). Angles are in degrees in the file, in radians in the
+/// result.
+///
+/// Phase    before a simulation is built from the result.
+/// Threads  one at a time, because reading loads libraries. Warnings are kept for each thread.
 #pragma once
 
 #include <string>
@@ -16,7 +20,7 @@ Experiment readExperiment(const std::string& file, const std::vector<Override>& 
 Experiment parseExperiment(const std::string& text, const std::string& name,
                            const std::vector<Override>& overrides = {});
 
-/// Loads the suite's own plugins (engines, devices, visualisations), once.
+/// Loads the suite's own plugins (engines, devices, visualisations), once in a process. Thread-safe.
 /// @throws ConfigError if a library cannot be loaded, or if no engine or no sensor is installed
 void loadBuiltInPlugins();
 

@@ -246,6 +246,23 @@ void readText(const std::string& text, const std::string& name, const std::vecto
   experiment::readDocument(root_element, reader);
 }
 
+/// @return true, so that a static variable can keep that it is done
+bool loadBuiltInLibraries() {
+  for (const DeclaredLibrary& declared : declaredLibraries()) {
+    if (declared.is_built_in) {
+      loadPluginLibrary(declared.library, {}, {"package " + declared.package, 0});
+    }
+  }
+  for (const auto& [kind, package] :
+       {std::pair{PluginKind::kEngine, "swarmanoid_engines"}, std::pair{PluginKind::kSensor, "swarmanoid_devices"}}) {
+    if (Registry::instance().all(kind).empty()) {
+      throw ConfigError({},
+                        std::string("found no ") + toString(kind) + ", allowed: an installation that has " + package);
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string experiment::takeFile(const std::string& name, Reader& reader) {
@@ -274,18 +291,8 @@ UncheckedExperiment readWithoutLibraries(const std::string& file, const std::vec
 }
 
 void loadBuiltInPlugins() {
-  for (const DeclaredLibrary& declared : declaredLibraries()) {
-    if (declared.is_built_in) {
-      loadPluginLibrary(declared.library, {}, {"package " + declared.package, 0});
-    }
-  }
-  for (const auto& [kind, package] :
-       {std::pair{PluginKind::kEngine, "swarmanoid_engines"}, std::pair{PluginKind::kSensor, "swarmanoid_devices"}}) {
-    if (Registry::instance().all(kind).empty()) {
-      throw ConfigError({},
-                        std::string("found no ") + toString(kind) + ", allowed: an installation that has " + package);
-    }
-  }
+  static const bool is_done = loadBuiltInLibraries();
+  static_cast<void>(is_done);
 }
 
 std::vector<std::string> takeExperimentWarnings() {

@@ -3,7 +3,7 @@
 ///
 /// Engines are closed worlds: entities of different engines do not collide. An engine may use its own frame and
 /// dimension internally; everything that it reads from the space or writes to it is in W. It may read anything in the
-/// space. It writes only what MoveAccess and ConnectAccess have (access.hpp), of the entities that it moves.
+/// space. It writes only the members of MoveAccess and ConnectAccess (access.hpp), for the entities that it moves.
 ///
 /// Phases   configure, reconfigure, prepare, add, remove, place, clear: between ticks. readMirrors, move: `move`.
 ///          connect: `connect`. draw, health: any time except during `move`.
@@ -16,7 +16,7 @@
 ///          before children. Meanwhile the space keeps pose, twist, joints, grips, attachments, devices and everything
 ///          else. An engine recomputes all other state of its own from these.
 ///
-/// To add an engine: derive, register with REGISTER_ENGINE, and state what it can simulate by the functions of
+/// To add an engine: derive, register with REGISTER_ENGINE, and state the limits of its simulation by the functions of
 /// EngineLimits.
 #pragma once
 

@@ -1,4 +1,6 @@
 /// Reads files of interventions for playing them into a run.
+///
+/// Phase    before the first tick.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,7 @@
 /// Checks descriptions of errors from any source: files, services and rules.
+///
+/// Phase    between ticks.
+/// Threads  all functions may be called concurrently once the libraries with kinds are loaded.
 #pragma once
 
 #include <string>
