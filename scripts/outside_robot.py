@@ -111,10 +111,9 @@ class RobotChecks(RosChecks):
         self.assertEqual(read(f"{headless_out}/e_pucks.txt"), read(f"{out}/e_pucks.txt"))
 
     def check_mock_robot(self, environment):
-        """The robot's controller on mock drivers: it drives towards the wall, 0.3 m ahead, and turns before it."""
+        """The robot's controller in a process of its own: it drives towards the wall, 0.3 m ahead, and turns before it."""
         folder = os.path.dirname(ROBOTS)
-        drivers = ["roslaunch", "swarmanoid_hosts", "mock_robot.launch", "robot:=e", "type:=e_puck",
-                   "devices:=differential_drive leds proximity", f"world:={folder}/config/mock_world.yaml"]
+        drivers = ["roslaunch", "swarmanoid_experiments", "mock_robot.launch", "robot:=e", f"place:={folder}/mock_robot.xml"]
         host = ["roslaunch", "swarmanoid_hosts", "robot.launch", "robot:=e", "controller:=diffusion", "provider:=topics",
                 f"configuration:={folder}/config/diffusion.yaml"]
         with beside(drivers, environment) as mock:

@@ -8,7 +8,7 @@ import sys
 from long_tests import last_word
 from table import ROOT
 
-CODE = ("interface", "hosts", "space", "engines", "experiment_files", "recording", "ros")  # packages, with the mocks
+CODE = ("interface", "hosts", "space", "engines", "experiment_files", "recording", "ros")  # packages
 NOT_CODE = {"test", "testing", "benchmark"}
 
 
@@ -20,7 +20,7 @@ def adding(table, build):
     seen = [line.split(" ... ")[-1] for line in done.stderr.splitlines()
             if "new files" in line or line.startswith(("Ran ", "OK", "FAILED"))]
     table.add("a ring of light sensors for the footbot and a second implementation of its proximity sensors, added to a copy of the suite "
-              "as the pages say: simulator, topic, Python, mock, schema, list, page, errors; then an arena object with a property, a sensor of it "
+              "as the pages say: simulator, topic, Python, schema, list, page, errors; then an arena object with a property, a sensor of it "
               "and a rule; then a robot, an engine and a message",
               "at most 5, 2, 8 and 3 new files, no other edited", "; ".join(seen), done.returncode == 0)
 
@@ -38,7 +38,7 @@ def robot_without_code(table, build):
     done = subprocess.run([sys.executable, ROOT / "scripts/outside_test.py", build,
                            "OutsideTest.test_examples_build_and_run_against_devel_and_install_space"], capture_output=True, text=True)
     words = [line for line in done.stderr.splitlines() if line.startswith(("Ran ", "OK", "FAILED"))]
-    table.add("an e-puck without code: diffusion in three engines, conformance test, topics under ROS, mock drivers",
+    table.add("an e-puck without code: diffusion in three engines, conformance test, topics under ROS, controller in a process of its own",
               "works, from devel and install spaces", "; ".join(words), done.returncode == 0)
 
 
@@ -66,5 +66,5 @@ def devices(table, build):
     errors(table, build)
     robot_without_code(table, build)
     layers(table)
-    table.add("lines of code of interface, hosts, mocks, space, engines, experiment_files, recording and ros, without comments and tests", "reported",
+    table.add("lines of code of interface, hosts, space, engines, experiment_files, recording and ros, without comments and tests", "reported",
               f"{lines_of_code():,}", None)

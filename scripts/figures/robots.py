@@ -22,22 +22,21 @@ def conformance(table, build):
     table.add("conformance test, in process: footbot in kinematics2d, dynamics2d, dynamics3d; eyebot, handbot; wrong wires",
               "passes; each wrong wire is found and named", last_word(done.stdout), done.returncode == 0)
     for name, what in (("conformance", "simulator in lockstep, in other processes"),
-                       ("conformance_topics", "simulator over standard topics, in real time"),
-                       ("conformance_mock", "mock drivers of each robot, over standard topics")):
+                       ("conformance_topics", "simulator over standard topics, in real time; replay of the hosts' frames")):
         table.add(f"conformance test, {what}", "passes", *rostest(name))
 
 
 def stops(table):
     table.add("safe stop of footbot, eyebot, handbot: exception, lost sensors, SIGINT; watchdogs of drivers",
               "within one control period of the exception, the stated time-out of lost sensors",
-              *rostest("robot_safe_stop", "hosts"))
+              *rostest("robot_safe_stop"))
     table.add("missing devices, overruns, devices that are not listed", "named; reported; silent",
-              *rostest("robot_host", "hosts"))
+              *rostest("robot_host"))
 
 
-def workspace(table):
-    table.add("robot-only workspace: four packages built, controllers of the experiments against mock drivers",
-              "builds and runs; no ODE, Box2D, simulator package", *last_words_of([sys.executable, ROOT / "scripts/robot_test.py"]))
+def workspace(table, build):
+    table.add("robot-only workspace: four packages built, controllers of the experiments on simulated robots over topics",
+              "builds and runs; no ODE, Box2D, simulator package", *last_words_of([sys.executable, ROOT / "scripts/robot_test.py", build]))
 
 
 def replay(table):

@@ -53,7 +53,6 @@ TEST(FootbotProximityTest, TheResponseIsCubicFromContactToTheRange) {
   }
 }
 
-/// Mock robots use the same law: one of their tests checks the same polynomial at the same distances.
 TEST(FootbotProximityTest, DistancesAreReadByTheLawOfTheDevice) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);

@@ -21,7 +21,7 @@ from space_client import Space
 
 REPOSITORY = pathlib.Path(rospkg.RosPack().get_path("swarmanoid_experiments")).parents[1]
 PAGE = (REPOSITORY / "docs/reference/ros_interface.md").read_text()
-ROBOTS = {"<footbot>": ("fb_1", "fb_2", "fb_3"), "<eyebot>": ("eb",)}
+ROBOTS = {"<footbot>": ("fb_1", "fb_2", "fb_3"), "<eyebot>": ("eb",), "<robot>": ("fb_1", "fb_2", "fb_3", "eb")}
 # of devices that this experiment does not use; turret_test.py, climbing_test.py and tests of messages cover them
 ELSEWHERE = ("/turret/state", "/joint_states", "/hands/state", "/rope/state", "/magnet/state", "/turret/command",
              "/arms/command", "/hands/command", "/rope/command", "/magnet/command",
@@ -116,11 +116,11 @@ class InterfaceTest(unittest.TestCase):
         self.assertEqual(set(roslaunch.arg_dump.get_args([str(REPOSITORY / "launch/robot.launch")])),
                          set(re.findall(r"`([a-z_]+)`", written)))
 
-    def test_launch_arguments_of_mock_drivers_are_those_of_their_page(self):
-        page = (REPOSITORY / "docs/reference/drivers.md").read_text().split("\n## Mock drivers\n")[1]
-        written = page.split("one node with all of the above: ")[1].split(".\n")[0].split(". ")[0]
+    def test_launch_arguments_of_a_robot_in_the_simulator_are_those_of_its_page(self):
+        page = (REPOSITORY / "docs/reference/drivers.md").read_text().split("\n## A robot in the simulator\n")[1]
+        written = page.split("Its arguments are ")[1].split(". ")[0]
         self.assertEqual(set(roslaunch.arg_dump.get_args([str(REPOSITORY / "launch/mock_robot.launch")])),
-                         set(re.findall(r"`([a-z_]+)`", re.sub(r"\(.*?\)", "", written))))
+                         set(re.findall(r"`([a-z_]+)`", written)))
 
     def test_launch_files_load_and_explain_their_arguments(self):
         folder = str(REPOSITORY / "launch") + "/"

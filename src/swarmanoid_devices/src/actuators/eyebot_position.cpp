@@ -7,8 +7,8 @@
 #include "common/mechanisms.hpp"
 #include "common/parameters.hpp"
 #include "common/tick_guard.hpp"
+#include "eyebot_pilot.hpp"
 #include "swarmanoid_interface/angle.hpp"
-#include "swarmanoid_interface/devices/eyebot_pilot.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
 namespace swarmanoid::devices {

@@ -1,5 +1,7 @@
 #include "device_topics.hpp"
 
+#include <nav_msgs/Odometry.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -89,6 +91,24 @@ void DeviceTopics::addLeds(const Space& space, Row row) {
        }});
 }
 
+void DeviceTopics::addGroundTruth() {
+  topics_.push_back(
+      {handle_.advertise<nav_msgs::Odometry>("ground_truth/odom", 10),
+       [message = nav_msgs::Odometry()](const ros::Publisher& publisher, const Space& seen, Row row) mutable {
+         if (publisher.getNumSubscribers() == 0) {
+           return;
+         }
+         const Pose& pose = seen.entities.pose[row];
+         const Twist& twist = seen.entities.twist[row];
+         const Eigen::Quaterniond to_robot = pose.orientation.conjugate();
+         message.header = headerOf(seen);
+         message.child_frame_id = frameOf(seen.entities.name[row]);
+         message.pose.pose = toMessage(pose);
+         message.twist.twist = toMessage(Twist{to_robot * twist.linear, to_robot * twist.angular});
+         publisher.publish(message);
+       }});
+}
+
 void DeviceTopics::addAll(const Space& space, Row row) {
   for (const DeviceTopic* device : deviceTopics()) {
     if (device->kind == DeviceTopic::Kind::kReading) {
@@ -101,6 +121,7 @@ void DeviceTopics::addAll(const Space& space, Row row) {
     commands_->open(id_);
   }
   addLeds(space, row);
+  addGroundTruth();
 }
 
 void DeviceTopics::draw(const Space& space) {

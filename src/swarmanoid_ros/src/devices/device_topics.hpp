@@ -1,6 +1,8 @@
 /// Provides the devices of one robot as topics in its namespace, with the names and types of a real robot's topics:
 /// proximity, camera/blobs, gripper/state, leds/state; wheels/command, cmd_vel, leds/command. Commands move the robot
 /// if its command source is `topics`; otherwise they are refused, and the log reports it once.
+/// ground_truth/odom is its true pose in the world, with its velocity in its own frame (nav_msgs/Odometry), for users
+/// and tests; no controller reads it.
 /// Each reading is published once, with the stamp of the state that was sensed (sensedAt in world_state.hpp).
 #pragma once
 
@@ -46,6 +48,7 @@ class DeviceTopics final : public Observer {
 
   void addReadings(const Space& space, Row row, const DeviceTopic& device);
   void addLeds(const Space& space, Row row);
+  void addGroundTruth();
   void addCommands(const Space& space, Row row, const DeviceTopic& device);
   void take(Commanded& commanded, const DeviceTopic& device, const std::string& problem);
   void addAll(const Space& space, Row row);

@@ -1,5 +1,5 @@
 /// Exit codes of the processes of the suite: the program `swarmanoid`, the space's nodelet, which writes the code to a
-/// file as well, hosts of controllers, mock drivers. Scripts depend on the numbers, so they do not change
+/// file as well, and hosts of controllers. Scripts depend on the numbers, so they do not change
 /// (docs/reference/program.md).
 #pragma once
 

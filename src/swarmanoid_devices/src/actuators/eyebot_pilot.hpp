@@ -1,5 +1,4 @@
-/// The position controller of an eyebot: computes its velocity from its estimated pose. Simulated and mock eyebots
-/// share it.
+/// The position controller of an eyebot: computes its velocity from its estimated pose.
 #pragma once
 
 #include <Eigen/Core>

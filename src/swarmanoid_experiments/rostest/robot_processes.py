@@ -1,11 +1,13 @@
-"""A robot in two processes, mock drivers and its controller's host, started and ended by a test."""
+"""A robot in two processes, a simulated robot and its controller's host, started and ended by a test."""
 
 import os
 import signal
 import subprocess
 import threading
 import time
+import xmlrpc.client
 
+import rosgraph
 import rospy
 
 TIMEOUT = 20.0  # [s]
@@ -56,10 +58,25 @@ class Process:
 
 
 class Drivers(Process):
-    def __init__(self, robot, kind, without="", **parameters):
-        super().__init__(["rosrun", "swarmanoid_hosts", "mock_drivers", f"__name:={robot}_drivers",
-                          f"_robot:={robot}", f"_type:={kind}", f"_without:={without}",
-                          *(f"_{name}:={value}" for name, value in parameters.items())])
+    """The nodes that launch/mock_robot.launch starts."""
+
+    def __init__(self, robot, kind, **arguments):
+        self._node = f"/{robot}_drivers"
+        self._pid = None
+        super().__init__(["roslaunch", "swarmanoid_experiments", "mock_robot.launch", f"robot:={robot}", f"type:={kind}",
+                          *(f"{name}:={value}" for name, value in arguments.items())])
+
+    def send_to_node(self, how):
+        """Sends a signal to the process of the nodes, not to roslaunch."""
+        if self._pid is None:  # a stopped process could not answer
+            address = rosgraph.Master("/robot_processes").lookupNode(self._node)
+            self._pid = xmlrpc.client.ServerProxy(address).getPid("/robot_processes")[2]
+        os.kill(self._pid, how)
+
+    def end(self):
+        if self._process.poll() is None:
+            self.send(signal.SIGINT)
+            self.wait()
 
 
 class Host(Process):
@@ -68,14 +85,14 @@ class Host(Process):
     def __init__(self, robot, configuration, **parameters):
         self.name = robot + "_controller"
         own = {"provider": "topics", "robots": robot, "configuration": configuration, "controller": "misbehaving",
-               "library": "swarmanoid_misbehaving"}
+               "library": "misbehaving_host_controller"}
         rospy.set_param("/" + self.name, dict(own, **parameters))
         super().__init__(["rosrun", "nodelet", "nodelet", "standalone", "swarmanoid_hosts/ControllerNodelet",
                           "__name:=" + self.name])
 
 
 def configuration(kind, **changes):
-    return dict({"robot_type": kind, "rate": RATE, "sensor_timeout": 0.5}, **dict(SMALL[kind], **changes))
+    return dict({"robot_type": kind, "rate": RATE, "sensor_timeout": 0.5, "start_timeout": TIMEOUT}, **dict(SMALL[kind], **changes))
 
 
 class Arrivals:

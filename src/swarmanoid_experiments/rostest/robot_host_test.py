@@ -10,6 +10,7 @@ import rosgraph
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
+from nav_msgs.msg import Odometry
 from swarmanoid_msgs.msg import CommandFrame, ControllerStart, SensorFrame, WheelsCommand
 
 from robot_processes import RATE, Arrivals, Drivers, Host, configuration
@@ -20,36 +21,45 @@ class RobotHostTest(unittest.TestCase):
         self.processes = []
 
     def tearDown(self):
-        for process in reversed(self.processes):
-            process.end()
+        self.end()
 
-    def start(self, robot, settings, without="", **parameters):
-        self.processes.append(Drivers(robot, "footbot", without))
+    def end(self):
+        """Ends the robot that there is, since all simulated ones have a node of the same name, /space."""
+        while self.processes:
+            self.processes.pop().end()
+
+    def start(self, robot, settings, **parameters):
+        self.end()
+        self.processes.append(Drivers(robot, "footbot"))
         self.processes.append(Host(robot, settings, **parameters))
         return self.processes[-1]
 
     def test_missing_devices_are_named(self):
         for name, missing, text in (
-                ("blind", "footbot_proximity", "footbot_proximity (nobody publishes proximity)"),
-                ("lame", "footbot_gripper", "footbot_gripper (nobody subscribes to gripper/command)")):
+                ("blind", {"sensors": ["footbot_proximity", "distances"]}, "distances (nobody publishes distance)"),
+                ("lame", {"actuators": ["footbot_wheels", "footbot_beacon"]},
+                 "footbot_beacon (nobody subscribes to footbot_beacon/command)")):
             with self.subTest(name):
+                self.end()
                 wheels = Arrivals(f"/{name}/wheels/command", WheelsCommand)
-                host = self.start(name, configuration("footbot", start_timeout=3.0), without=missing)
+                self.processes.append(Drivers(name, "footbot"))
+                self.assertIsNotNone(Arrivals(f"/{name}/ground_truth/odom", Odometry).wait_for(lambda _: True))
+                host = Host(name, configuration("footbot", start_timeout=3.0, **missing))
+                self.processes.append(host)
                 self.assertEqual(4, host.wait(), host.output())
                 self.assertIn(f"{name}: missing: {text}", host.output())
                 self.assertNotIn("running", host.output())
                 self.assertEqual([], wheels.all())
 
-    def test_drivers_refuse_bad_parameters(self):
-        for name, value, text in (("rate", "0", "~rate: found '0', allowed: a number from 1 to 1000"),
-                                  ("rate", "fast", "~rate: found 'fast', allowed: a number from 1 to 1000"),
-                                  ("watchdog", "-1", "~watchdog: found '-1', allowed: a number from 0.01 to 3600"),
-                                  ("wachdog", "1", "found the parameter 'wachdog', allowed: robot, type, devices, without, "
-                                                   "rate, watchdog; did you mean 'watchdog'?")):
-            robot = f"bad_{name}_{value.strip('-')}"  # the master keeps the parameters of the previous one
-            self.processes.append(Drivers(robot, "footbot", **{name: value}))
-            self.assertEqual(2, self.processes[-1].wait())
-            self.assertIn(f"/{robot}_drivers: {text}", self.processes[-1].output())
+    def test_launch_file_refuses_bad_arguments(self):
+        for name, value, text in (
+                ("clocktick", "fast", "framework.clocktick: clocktick: found 'fast', allowed: a number from 0.001 to 1000000"),
+                ("watchdog", "-1", "arena.robot.controller.timeout: timeout: found '-1', allowed: a number"),
+                ("set", "arena.robot.colour=red", "found tag 'colour', allowed: ")):
+            with self.subTest(name):
+                self.processes.append(Drivers("bad", "footbot", **{name: value}))
+                self.assertEqual(1, self.processes[-1].wait())
+                self.assertIn(text, self.processes[-1].output())
 
     def test_it_waits_for_drivers(self):
         self.processes.append(Host("early", configuration("footbot")))
@@ -132,4 +142,4 @@ class RobotHostTest(unittest.TestCase):
 
 if __name__ == "__main__":
     rospy.init_node("robot_host_test")
-    rostest.rosrun("swarmanoid_hosts", "robot_host", RobotHostTest, sys.argv)
+    rostest.rosrun("swarmanoid_experiments", "robot_host", RobotHostTest, sys.argv)
