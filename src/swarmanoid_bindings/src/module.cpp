@@ -13,6 +13,7 @@
 #include "simulation_class.hpp"
 #include "swarmanoid_experiment_files/experiment_lookup.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
+#include "worlds_class.hpp"
 
 PYBIND11_MODULE(_core, module) {
   swarmanoid::fixNumpy();
@@ -24,6 +25,7 @@ PYBIND11_MODULE(_core, module) {
   swarmanoid::bindings::bindInterventions(module);
   swarmanoid::bindings::bindRuleWorld(module);
   swarmanoid::bindings::bindSimulation(module);
+  swarmanoid::bindings::bindWorlds(module);
   module.def("installed_experiments", &swarmanoid::installedExperiments, "Names of the installed experiments, sorted.");
   swarmanoid::bindings::waitForTicksAtExit();
   // for embedding/python_host.cpp, a separate library, so that programs without Python do not load this module

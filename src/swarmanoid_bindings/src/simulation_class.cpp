@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "events.hpp"
+#include "experiment_source.hpp"
 #include "interventions.hpp"
 #include "plugins/object_rules.hpp"
 #include "python/python_text.hpp"
@@ -31,68 +32,11 @@ namespace {
 
 /// Arguments of the constructor.
 struct Options {
-  std::optional<std::string> experiment;
-  std::optional<std::string> text;
-  std::optional<std::uint64_t> seed;
-  std::optional<std::int64_t> ticks;
-  std::optional<std::int64_t> threads;
-  std::map<std::string, py::object> overrides;
+  ExperimentSource source;
   PythonParts parts;
   std::optional<std::string> out;
   OutFolder::Rules rules;  // of the folder `out`
 };
-
-std::vector<Override> overridesOf(const Options& options) {
-  std::vector<Override> overrides;
-  for (const auto& [path, value] : options.overrides) {
-    overrides.push_back({path, fileText(value)});
-  }
-  return overrides;
-}
-
-/// Removes observers that would write files: without a folder a run writes nothing.
-void leaveOutWriters(Experiment& experiment) {
-  auto& observers = experiment.visualisations;
-  const auto writes = [](const VisualisationDescription& observer) {
-    const std::vector<Configuration>& values = observer.parameters.children();
-    return std::any_of(values.begin(), values.end(), [&](const Configuration& value) {
-      const bool is_switch = value.name().rfind("write_", 0) == 0;
-      return is_switch ? observer.parameters.boolean(value.name()) : value.name() == "file";
-    });
-  };
-  observers.erase(std::remove_if(observers.begin(), observers.end(), writes), observers.end());
-}
-
-/// @throws ConfigError if the value is out of range
-std::int64_t argument(const char* name, std::int64_t value, Range range) {
-  return parseInteger(std::to_string(value), name, {}, range);
-}
-
-Experiment read(const Options& options) {
-  if (options.experiment.has_value() == options.text.has_value()) {
-    throw py::type_error("allowed: either an experiment (a file or a name) or a text");
-  }
-  loadBuiltInPlugins();
-  const std::vector<Override> overrides = overridesOf(options);
-  Experiment experiment = options.text ? parseExperiment(*options.text, "<text>", overrides)
-                                       : readExperiment(findExperiment(*options.experiment), overrides);
-  for (const std::string& warning : takeExperimentWarnings()) {
-    py::module_::import("warnings").attr("warn")(warning);
-  }
-  FrameworkDescription& framework = experiment.framework;
-  framework.seed = options.seed.value_or(framework.seed);
-  if (options.ticks) {
-    framework.max_clock = static_cast<std::uint64_t>(argument("ticks", *options.ticks, limits::kTicks));
-  }
-  if (options.threads) {
-    framework.threads = static_cast<int>(argument("threads", *options.threads, limits::kThreads));
-  }
-  refuseRobotsOfOthers(experiment);
-  if (!options.out) {
-    leaveOutWriters(experiment);
-  }
-  return experiment;
-}
 
 /// Rules in the order of the dictionary.
 std::vector<std::pair<std::string, py::object>> rulesIn(const py::dict& rules) {
@@ -104,7 +48,7 @@ std::vector<std::pair<std::string, py::object>> rulesIn(const py::dict& rules) {
 }
 
 std::unique_ptr<Run> makeRun(const Options& options) {
-  Experiment experiment = read(options);
+  Experiment experiment = read(options.source);
   RunContext context;
   context.is_open = false;
   if (options.out) {
@@ -262,15 +206,12 @@ void bindSimulation(py::module_& module) {
                        std::optional<std::int64_t> threads, std::map<std::string, py::object> overrides,
                        std::map<std::string, py::object> controllers, const py::dict& rules,
                        std::optional<std::string> out, bool force, bool write_anywhere) {
-             return makeRun({std::move(experiment),
-                             std::move(text),
-                             seed,
-                             ticks,
-                             threads,
-                             std::move(overrides),
-                             {std::move(controllers), rulesIn(rules)},
-                             std::move(out),
-                             {write_anywhere, force}});
+             const bool may_write = out.has_value();
+             return makeRun(
+                 {{std::move(experiment), std::move(text), seed, ticks, threads, std::move(overrides), may_write},
+                  {std::move(controllers), rulesIn(rules)},
+                  std::move(out),
+                  {write_anywhere, force}});
            }),
            py::arg("experiment") = py::none(), py::kw_only(), py::arg("text") = py::none(),
            py::arg("seed") = py::none(), py::arg("ticks") = py::none(), py::arg("threads") = py::none(),

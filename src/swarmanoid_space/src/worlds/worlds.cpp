@@ -1,0 +1,270 @@
+#include "swarmanoid_space/worlds/worlds.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+#include "../assembly/workers.hpp"
+#include "agents.hpp"
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// The id of the agents' configuration. @throws ConfigError
+std::string controllerOf(const Experiment& experiment, const std::string& asked) {
+  std::vector<std::string> known;
+  for (const ControllerDescription& controller : experiment.controllers) {
+    known.push_back(controller.id);
+  }
+  if (asked.empty() && known.size() == 1) {
+    return known.front();
+  }
+  if (std::find(known.begin(), known.end(), asked) == known.end()) {
+    throw ConfigError({"controller", 0}, asked.empty() ? "found none, allowed: " + joinNames(known)
+                                                       : unknownName("the controller", asked, known));
+  }
+  return asked;
+}
+
+/// @throws ConfigError if it is no number
+double metricOf(const Simulation& simulation, const std::string& name) {
+  const Metrics metrics = simulation.metrics();
+  const auto found = metrics.find(name);
+  if (found == metrics.end()) {
+    std::vector<std::string> known;
+    for (const auto& [each, value] : metrics) {
+      known.push_back(each);
+    }
+    throw ConfigError({"reward", 0}, unknownName("the metric", name, known));
+  }
+  if (const auto* number = std::get_if<double>(&found->second)) {
+    return *number;
+  }
+  if (const auto* truth = std::get_if<bool>(&found->second)) {
+    return *truth ? 1.0 : 0.0;
+  }
+  throw ConfigError({"reward", 0}, "found '" + name + "', which is a text, allowed: a metric that is a number");
+}
+
+}  // namespace
+
+struct Worlds::State {
+  struct OneWorld {
+    std::shared_ptr<Agents> agents;
+    std::unique_ptr<Simulation> simulation;
+    std::uint64_t seed = 0;
+    double metric = 0.0;  // after the last step
+    bool is_over = false;
+    std::exception_ptr failure;
+  };
+
+  State(Options given, const Describe& describe);
+
+  void add(std::size_t index, Experiment experiment);
+  void restart(std::size_t index, std::uint64_t seed);
+  void observe(std::size_t index);
+  void step(std::size_t index, const float* actions);
+  void advance(std::size_t index, const float* actions);
+  /// Calls action(world) for all worlds, on all threads. @throws the exception of the first world that has one
+  template <class Action>
+  void forAll(Action action);
+
+  Options options;
+  AgentFields observed;
+  AgentFields commanded;
+  Workers workers;
+  std::vector<OneWorld> worlds;
+  std::size_t slots = 0;
+  std::vector<float> observations;
+  std::vector<float> final_observations;
+  std::vector<float> rewards;
+  std::vector<std::uint8_t> present;
+  std::vector<std::uint8_t> terminated;
+  std::vector<std::uint8_t> truncated;
+};
+
+Worlds::State::State(Options given, const Describe& describe)
+    : options(std::move(given)),
+      observed(options.observations, DeviceKind::kSensor, "observations"),
+      commanded(options.actions, DeviceKind::kActuator, "actions"),
+      workers(static_cast<int>(options.threads)),
+      worlds(options.count) {
+  if (options.count == 0 || options.ticks_per_step == 0) {
+    throw ConfigError({options.count == 0 ? "count" : "ticks_per_step", 0}, "found 0, allowed: from 1");
+  }
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    add(i, describe(i));
+    slots = std::max(slots, worlds[i].agents->slotCount());
+  }
+  if (slots == 0) {
+    throw ConfigError({"controller", 0},
+                      "found no robot that controller '" + options.controller + "' commands, allowed: one or more");
+  }
+  observations.resize(worlds.size() * slots * observed.size());
+  final_observations.resize(options.autoreset == Autoreset::kSameStep ? observations.size() : 0);
+  rewards.resize(worlds.size() * slots);
+  present.resize(worlds.size() * slots);
+  terminated.resize(worlds.size());
+  truncated.resize(worlds.size());
+  for (OneWorld& world : worlds) {
+    world.agents->limitSlots(slots);
+  }
+  forAll([this](std::size_t i) { observe(i); });
+}
+
+void Worlds::State::add(std::size_t index, Experiment experiment) {
+  OneWorld& world = worlds[index];
+  options.controller = controllerOf(experiment, options.controller);
+  experiment.framework.threads = 1;
+  world.seed = experiment.framework.seed;
+  world.agents = std::make_shared<Agents>(observed, commanded);
+  RunContext context;
+  context.is_open = false;
+  SuppliedParts supplied;
+  supplied.group_controllers[options.controller] = world.agents;
+  world.simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
+  world.simulation->start();
+  world.agents->markAll();
+  world.metric = options.reward.empty() ? 0.0 : metricOf(*world.simulation, options.reward);
+}
+
+template <class Action>
+void Worlds::State::forAll(Action action) {
+  constexpr std::size_t kBlock = 8;  // worlds that a thread takes at once
+  const std::size_t blocks = (worlds.size() + kBlock - 1) / kBlock;
+  workers.forEach(blocks, [&](std::size_t block) {
+    for (std::size_t i = block * kBlock; i < std::min(worlds.size(), (block + 1) * kBlock); ++i) {
+      try {
+        action(i);
+      } catch (...) {
+        worlds[i].failure = std::current_exception();
+        worlds[i].is_over = true;
+      }
+    }
+  });
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    if (const std::exception_ptr failure = std::exchange(worlds[i].failure, nullptr)) {
+      try {
+        std::rethrow_exception(failure);
+      } catch (const std::exception& error) {
+        throw std::runtime_error("world " + std::to_string(i) + ": " + error.what());
+      }
+    }
+  }
+}
+
+void Worlds::State::restart(std::size_t index, std::uint64_t seed) {
+  OneWorld& world = worlds[index];
+  world.seed = seed;
+  world.agents->setActions(nullptr);
+  world.simulation->reset(seed, true);
+  world.agents->markAll();
+  world.metric = options.reward.empty() ? 0.0 : metricOf(*world.simulation, options.reward);
+  world.is_over = false;
+  std::fill_n(rewards.begin() + static_cast<std::ptrdiff_t>(index * slots), slots, 0.0F);
+  observe(index);
+}
+
+void Worlds::State::observe(std::size_t index) {
+  OneWorld& world = worlds[index];
+  world.simulation->sense();
+  const Simulation& simulation = *world.simulation;
+  const std::size_t left = world.agents->observe(simulation.space(), &observations[index * slots * observed.size()],
+                                                 &present[index * slots]);
+  const bool is_at_end = simulation.space().tick >= simulation.experiment().framework.max_clock;
+  truncated[index] = is_at_end ? 1 : 0;
+  terminated[index] = (simulation.isFinished() && !is_at_end) || left == 0 ? 1 : 0;
+}
+
+void Worlds::State::advance(std::size_t index, const float* actions) {
+  OneWorld& world = worlds[index];
+  world.agents->setActions(actions + index * slots * commanded.size());
+  for (std::size_t tick = 0; tick < options.ticks_per_step && !world.simulation->isFinished(); ++tick) {
+    world.simulation->tick();
+  }
+  observe(index);
+  if (!options.reward.empty()) {
+    const double metric = metricOf(*world.simulation, options.reward);
+    const auto reward = static_cast<float>(metric - world.metric);
+    world.metric = metric;
+    for (std::size_t slot = index * slots; slot < (index + 1) * slots; ++slot) {
+      rewards[slot] = present[slot] != 0 ? reward : 0.0F;
+    }
+  }
+}
+
+void Worlds::State::step(std::size_t index, const float* actions) {
+  OneWorld& world = worlds[index];
+  if (!final_observations.empty()) {
+    std::fill_n(&final_observations[index * slots * observed.size()], slots * observed.size(), 0.0F);
+  }
+  if (world.is_over) {
+    if (options.autoreset == Autoreset::kDisabled) {
+      std::fill_n(&rewards[index * slots], slots, 0.0F);
+    } else {
+      restart(index, world.seed + worlds.size());
+    }
+    return;
+  }
+  advance(index, actions);
+  world.is_over = terminated[index] != 0 || truncated[index] != 0;
+  if (world.is_over && options.autoreset == Autoreset::kSameStep) {
+    const std::size_t numbers = slots * observed.size();
+    std::copy_n(&observations[index * numbers], numbers, &final_observations[index * numbers]);
+    const std::uint8_t was_terminated = terminated[index];
+    const std::uint8_t was_truncated = truncated[index];
+    const std::vector<float> earned(&rewards[index * slots], &rewards[index * slots] + slots);
+    restart(index, world.seed + worlds.size());
+    std::copy(earned.begin(), earned.end(), &rewards[index * slots]);
+    terminated[index] = was_terminated;
+    truncated[index] = was_truncated;
+  }
+}
+
+Worlds::Worlds(Options options, const Describe& describe)
+    : state_(std::make_unique<State>(std::move(options), describe)) {}
+
+Worlds::~Worlds() = default;
+
+const Worlds::Options& Worlds::options() const { return state_->options; }
+std::size_t Worlds::slots() const { return state_->slots; }
+std::size_t Worlds::observationSize() const { return state_->observed.size(); }
+std::size_t Worlds::actionSize() const { return state_->commanded.size(); }
+
+void Worlds::reset(const std::uint8_t* chosen, const std::uint64_t* seeds) {
+  state_->forAll([&](std::size_t i) {
+    if (chosen == nullptr || chosen[i] != 0) {
+      state_->restart(i, seeds == nullptr ? state_->worlds[i].seed + count() : seeds[i]);
+    }
+  });
+}
+
+void Worlds::step(const float* actions) {
+  state_->forAll([&](std::size_t i) { state_->step(i, actions); });
+}
+
+float* Worlds::observations() { return state_->observations.data(); }
+float* Worlds::finalObservations() { return state_->final_observations.data(); }
+float* Worlds::rewards() { return state_->rewards.data(); }
+std::uint8_t* Worlds::present() { return state_->present.data(); }
+std::uint8_t* Worlds::terminated() { return state_->terminated.data(); }
+std::uint8_t* Worlds::truncated() { return state_->truncated.data(); }
+
+void Worlds::readPoses(double* poses) const {
+  constexpr std::size_t kNumbers = 7;
+  std::fill_n(poses, count() * slots() * kNumbers, 0.0);
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Space& space = world(i).space();
+    state_->worlds[i].agents->visit(space, [&](std::size_t slot, Row row) {
+      double* to = poses + (i * slots() + slot) * kNumbers;
+      Eigen::Map<Eigen::Vector3d>{to} = space.entities.pose[row].position;
+      Eigen::Map<Eigen::Vector4d>{to + 3} = space.entities.pose[row].orientation.coeffs();
+    });
+  }
+}
+
+const Simulation& Worlds::world(std::size_t world) const { return *state_->worlds.at(world).simulation; }
+
+}  // namespace swarmanoid
