@@ -25,6 +25,7 @@ import studies
 import study_processes
 import under_ros
 import version_before
+import worlds
 from table import ROOT, Table, machine
 
 FIGURES = {
@@ -60,6 +61,7 @@ FIGURES = {
     "python_at_once": lambda table, build: python_bindings.python_at_once(table),
     "python_alone": lambda table, build: python_bindings.python_alone(table),
     "python_memory": lambda table, build: python_bindings.python_memory(table),
+    "worlds": lambda table, build: worlds.worlds(table),
     **{f"evolution_{study.name}": lambda table, build, study=study: studies.evolution(table, study) for study in studies.STUDIES},
     "batch": lambda table, build: studies.batch(table),
     "batch_cost": lambda table, build: studies.fixed_cost(table),

@@ -1,0 +1,62 @@
+"""Figures of many worlds of one experiment (swarmanoid.Worlds)."""
+
+from python_bindings import evaluate
+
+# diffusion of footbots with 24 rays, one per 1.6 m2, by a policy in NumPy; the best of five rounds
+MEASURE = """
+import resource, time, numpy, swarmanoid
+count, robots, threads, engine, steps = {count}, {robots}, {threads}, "{engine}", {steps}
+side = max(1.0, (1.6 * robots) ** 0.5)
+text = '''<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>100000000</maxclock></framework>
+  <controllers>
+    <diffusion id="dc" library="diffusion"><actuators><footbot_wheels/></actuators><sensors><footbot_proximity/></sensors></diffusion>
+  </controllers>
+  <arena size="{{0}},{{0}},1" optimization="2D" bounded="true">
+    <distribute quantity="{{1}}"><minimum>0.2,0.2,0</minimum><maximum>{{2}},{{2}},0</maximum><footbot id="fb"><controller>dc</controller></footbot>
+    </distribute>
+  </arena>
+  <engines><{{3}} id="ground"/></engines>
+  <arena_physics><engine id="ground"><entity id="fb"/></engine></arena_physics>
+</ahss-config>'''.format(side, robots, side - 0.2, engine)
+options = dict(text=text, observations=["footbot_proximity.value"], actions=["footbot_wheels.left", "footbot_wheels.right"])
+if engine == "dynamics2d":
+    options["overrides"] = {{"engines.ground.subclock": 4}}
+worlds = swarmanoid.Worlds(count=count, threads=threads, **options)
+rates = []
+for _ in range(5):
+    start = time.perf_counter()
+    for _ in range(steps):
+        near = worlds.observations.max(axis=2) > 0
+        worlds.step(numpy.stack([numpy.where(near, -3.0, 4.0), numpy.where(near, 3.0, 4.0)], axis=2).astype(numpy.float32))
+    rates.append(count * robots * steps / (time.perf_counter() - start))
+start = time.perf_counter()
+worlds.reset()
+print(repr((max(rates), (time.perf_counter() - start) / count, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)))
+"""
+
+
+def measure(count, robots, threads=1, engine="kinematics2d"):
+    """@return agent steps/s, seconds of a world's reset, memory of the process [MB]"""
+    steps = max(10, 500_000 // (count * robots))
+    return evaluate(MEASURE.format(count=count, robots=robots, threads=threads, engine=engine, steps=steps))
+
+
+def worlds(table):
+    """Speed of many small swarms."""
+    what = "worlds of diffusion, actions from NumPy each tick"
+    rates = {}
+    for count, robots, threads, engine, least in ((1000, 10, 1, "kinematics2d", 2.0), (1000, 10, 2, "kinematics2d", None),
+                                                  (4000, 3, 1, "kinematics2d", 1.5), (100, 100, 1, "kinematics2d", 3.0),
+                                                  (1, 10000, 1, "kinematics2d", 4.0), (1000, 10, 1, "dynamics2d", 0.5)):
+        rate, reset, memory = measure(count, robots, threads, engine)
+        rates[count, robots, threads, engine] = rate
+        row = f"{what}: {count:,} x {robots:,} footbots, {engine}, {threads} thread{'s' if threads > 1 else ''}"
+        if least is None:
+            times = rate / rates[count, robots, 1, engine]
+            table.add(row, "at least 1.8 times one thread", f"{times:.2f} times, {rate / 1e6:.2f} million agent steps/s", times >= 1.8)
+        else:
+            table.add(row, f"at least {least:g} million agent steps/s", f"{rate / 1e6:.2f} million agent steps/s", rate >= least * 1e6)
+        if (count, robots, threads, engine) == (1000, 10, 1, "kinematics2d"):
+            table.add("the same, reset of a world of 10 robots", "under 20 us", f"{reset * 1e6:.0f} us", reset < 20e-6)
+            table.add("the same, memory of the process", "under 400 MB", f"{memory:.0f} MB", memory < 400)
