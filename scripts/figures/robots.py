@@ -51,5 +51,5 @@ def replay(table):
 def robots(table, build):
     conformance(table, build)
     stops(table)
-    workspace(table)
+    workspace(table, build)
     replay(table)

@@ -2,7 +2,6 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,15 +13,10 @@
 #include "interventions.hpp"
 #include "plugins/object_rules.hpp"
 #include "python/python_text.hpp"
-#include "python/values.hpp"
 #include "record_of_run.hpp"
 #include "run.hpp"
-#include "swarmanoid_experiment_files/experiment_lookup.hpp"
-#include "swarmanoid_experiment_files/read_experiment.hpp"
-#include "swarmanoid_experiment_files/without_ros.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_recording/output/run_files.hpp"
-#include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/simulation/run_result.hpp"
 
 namespace py = pybind11;

@@ -3,14 +3,15 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <map>
+#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "experiment_source.hpp"
-#include "python/holds_objects.hpp"
+#include "plugins/object_rules.hpp"
 #include "python/without_lock.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
@@ -189,7 +190,7 @@ void bindWorlds(py::module_& module) {
   refuseUnmade<Worlds>();
   type.def(py::init([](std::optional<std::string> experiment, std::size_t count, std::vector<std::string> observations,
                        std::vector<std::string> actions, std::optional<std::string> text,
-                       std::optional<std::string> controller, std::optional<std::string> reward,
+                       const std::optional<std::string>& controller, const std::optional<std::string>& reward,
                        std::size_t ticks_per_step, std::size_t threads, std::optional<std::uint64_t> seed,
                        std::optional<std::int64_t> ticks, std::map<std::string, py::object> overrides,
                        const std::string& autoreset) {
