@@ -22,7 +22,7 @@ PACKAGES = ("swarmanoid_controllers", "swarmanoid_hosts", "swarmanoid_interface"
 SIMULATOR = re.compile(r"\bode\b|libode|box2d|urdf|tbb|xxhash|rviz|gazebo|swarmanoid_(?!hosts|interface|controllers|msgs)", re.I)
 CONTROLLERS = {"footbot": "footbot_retrieval", "eyebot": "eyebot_retrieval", "handbot": "climbing"}
 TIMEOUT = 60.0  # [s]
-BUILD = sys.argv[1]
+BUILD = os.path.abspath(sys.argv[1])
 
 
 class Program:
