@@ -89,6 +89,7 @@ void RobotHost::receive(RobotLoop::Sensor& sensor, const std::string& problem) {
 
 void RobotHost::run() {
   PeriodClock clock(now(), configuration_.period);
+  said_waiting_ = now();
   while (loop_->state() != State::kOver && ros::ok()) {
     const Duration left = clock.next() - now();
     if (left > Duration::zero()) {
@@ -160,8 +161,11 @@ void RobotHost::publishFrames() {
 void RobotHost::say() {
   const State state = loop_->state();
   const char* text = loop_->text().c_str();
-  if (state == State::kWaiting) {
-    ROS_INFO_DELAYED_THROTTLE(2.0, "%s: %s", name_.c_str(), text);
+  // by the steady clock: simulated time stands still until there is a simulation
+  constexpr std::chrono::seconds kInterval{2};
+  if (state == State::kWaiting && now() - said_waiting_ >= kInterval) {
+    said_waiting_ = now();
+    ROS_INFO("%s: %s", name_.c_str(), text);
   }
   if (state == reported_state_) {
     return;

@@ -83,6 +83,7 @@ class RobotHost {
   std::uint64_t reported_missed_ = 0;
   Duration longest_{};  ///< longest work in a period since the last report
   Duration reported_{};
+  Duration said_waiting_{};
   std::uint64_t refused_ = 0;  ///< count of messages that were not valid for their device
 
   std::atomic<bool> is_to_end_{false};
