@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,10 +37,15 @@ Autoreset autoresetOf(const std::string& name) {
   throw ConfigError({"autoreset", 0}, "found '" + name + "', allowed: " + joinNames(known) + didYouMean(name, known));
 }
 
-/// The value of a path in one world: that of a list or an array with a value for each world, or the same in all.
-/// @throws ConfigError for a list of another length
+/// Whether a value of `overrides` is a list or an array with a value for each world.
+bool isForEachWorld(const py::object& value) {
+  return py::isinstance<py::list>(value) ||
+         (py::isinstance<py::array>(value) && py::reinterpret_borrow<py::array>(value).ndim() > 0);
+}
+
+/// The value of a path in one world. @throws ConfigError for a list of another length than the number of worlds
 py::object valueIn(const std::string& path, const py::object& value, std::size_t world, std::size_t count) {
-  if (!py::isinstance<py::list>(value) && !(py::isinstance<py::array>(value) && py::len(value.attr("shape")) > 0)) {
+  if (!isForEachWorld(value)) {
     return value;
   }
   if (py::len(value) != count) {
@@ -51,10 +57,8 @@ py::object valueIn(const std::string& path, const py::object& value, std::size_t
 
 std::unique_ptr<Worlds> makeWorlds(const ExperimentSource& source, Worlds::Options options) {
   const std::size_t count = options.count;
-  bool differ = false;
-  for (const auto& [path, value] : source.overrides) {
-    differ = differ || py::isinstance<py::list>(value) || py::isinstance<py::array>(value);
-  }
+  const bool differ = std::any_of(source.overrides.begin(), source.overrides.end(),
+                                  [](const auto& one) { return isForEachWorld(one.second); });
   std::optional<Experiment> same;
   const auto describe = [&](std::size_t world) {
     ExperimentSource one = source;

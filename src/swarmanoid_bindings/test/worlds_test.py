@@ -127,9 +127,10 @@ class WorldsTest(unittest.TestCase):
                 self.assertFalse(many.terminated.any())
                 if autoreset == "same_step":
                     last.tick()
-                    last.sense()
                     self.assertEqual(single(5 + 2, ticks=0).state_hash, many.state_hash(0))
-                    self.assertTrue(many.final_observations.any() or not last.robots.readings["footbot_proximity"].value.any())
+                    readings = last.robots.readings["footbot_proximity"].value
+                    self.assertTrue(readings.any())
+                    self.assertTrue((many.final_observations[1] == readings).all())
                     many.step(policy(many.observations))
                     self.assertFalse(many.final_observations.any())
                     self.assertEqual(single(5 + 2, ticks=1).state_hash, many.state_hash(0))
@@ -184,7 +185,9 @@ class WorldsTest(unittest.TestCase):
                              ({"controller": "cd"}, "the controller 'cd', allowed: dc"),
                              ({"reward": "none.at_all"}, "the metric 'none.at_all'"),
                              ({"autoreset": "next_sep"}, "did you mean 'next_step'?"),
-                             ({"count": 0}, "count: found 0, allowed: from 1"),
+                             ({"count": 0}, "count: found 0, allowed: from 1 to 1000000"),
+                             ({"threads": 0}, "threads: found 0, allowed: from 1 to 1024"),
+                             ({"ticks_per_step": 0}, "ticks_per_step: found 0, allowed: from 1"),
                              ({"overrides": {"framework.clocktick": [1, 2, 3]}}, "found 3 values, allowed: one for each of 2 worlds")):
             with self.subTest(text), self.assertRaises((ExperimentError, ValueError)) as raised:
                 worlds(**{"count": 2, **others})

@@ -61,7 +61,7 @@ class DrivenFootbotTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.space = Space()
-        kinds = {"odom": Odometry, "imu/data": Imu, "ground": GroundArray, "scan": LaserScan}
+        kinds = {"odom": Odometry, "ground_truth/odom": Odometry, "imu/data": Imu, "ground": GroundArray, "scan": LaserScan}
         cls.readings = {topic: Collector("/fb/" + topic, kind) for topic, kind in kinds.items()}
         cls.transforms = Collector("/tf", TFMessage)
         for collector in [*cls.readings.values(), cls.transforms]:
@@ -127,6 +127,20 @@ class DrivenFootbotTest(unittest.TestCase):
         self.assertAlmostEqual(angle, self.heading, 6)
         self.assertAlmostEqual(START[0] + SPEED / TURN_RATE * math.sin(angle), self.place[0], 6)
         self.assertAlmostEqual(START[1] + SPEED / TURN_RATE * (1.0 - math.cos(angle)), self.place[1], 6)
+
+    def test_ground_truth_is_the_pose_by_the_transforms_and_the_velocity_ahead(self):
+        self.drive(SPEED, TURN_RATE)
+        stamp = self.space.step(3).stamp
+        place, heading = self.pose(stamp)
+        self.assertGreater(abs(heading), 0.5, "ahead of the robot is not along the axes of the world")
+        truth = self.readings["ground_truth/odom"].wait_for(lambda message: message.header.stamp == stamp)
+        self.assertEqual(("world", "fb/base_link"), (truth.header.frame_id, truth.child_frame_id))
+        self.assertAlmostEqual(place[0], truth.pose.pose.position.x, 9)
+        self.assertAlmostEqual(place[1], truth.pose.pose.position.y, 9)
+        self.assertAlmostEqual(heading, heading_of(truth.pose.pose.orientation), 9)
+        self.assertAlmostEqual(SPEED, truth.twist.twist.linear.x, 6)
+        self.assertAlmostEqual(0.0, truth.twist.twist.linear.y, 6)
+        self.assertAlmostEqual(TURN_RATE, truth.twist.twist.angular.z, 6)
 
     def test_a_reading_has_the_stamp_of_the_state_that_was_sensed(self):
         self.drive(SPEED, TURN_RATE)

@@ -4,7 +4,6 @@ that its configuration does not list, publishes its controller's input and outpu
 configuration."""
 
 import sys
-import unittest
 
 import rosgraph
 import rospy
@@ -13,21 +12,10 @@ from diagnostic_msgs.msg import DiagnosticArray
 from nav_msgs.msg import Odometry
 from swarmanoid_msgs.msg import CommandFrame, ControllerStart, SensorFrame, WheelsCommand
 
-from robot_processes import RATE, Arrivals, Drivers, Host, configuration
+from robot_processes import RATE, Arrivals, Drivers, Host, RobotTestCase, configuration
 
 
-class RobotHostTest(unittest.TestCase):
-    def setUp(self):
-        self.processes = []
-
-    def tearDown(self):
-        self.end()
-
-    def end(self):
-        """Ends the robot that there is, since all simulated ones have a node of the same name, /space."""
-        while self.processes:
-            self.processes.pop().end()
-
+class RobotHostTest(RobotTestCase):
     def start(self, robot, settings, **parameters):
         self.end()
         self.processes.append(Drivers(robot, "footbot"))
@@ -61,7 +49,12 @@ class RobotHostTest(unittest.TestCase):
                 self.assertEqual(1, self.processes[-1].wait())
                 self.assertIn(text, self.processes[-1].output())
 
+    def test_a_device_is_added_by_set(self):
+        self.processes.append(Drivers("more", "footbot", set="controllers.devices.sensors.floor_color="))
+        self.assertIsNotNone(Arrivals("/more/floor_color", rospy.AnyMsg).wait_for(lambda _: True), self.processes[-1].output())
+
     def test_it_waits_for_drivers(self):
+        rospy.set_param("/use_sim_time", True)  # as an earlier simulation leaves it: without a clock, time stands still
         self.processes.append(Host("early", configuration("footbot")))
         self.assertTrue(self.processes[-1].wait_for_text("waiting for footbot_proximity"), self.processes[-1].output())
         self.processes.append(Drivers("early", "footbot"))

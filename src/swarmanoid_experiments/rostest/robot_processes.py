@@ -5,6 +5,7 @@ import signal
 import subprocess
 import threading
 import time
+import unittest
 import xmlrpc.client
 
 import rosgraph
@@ -93,6 +94,21 @@ class Host(Process):
 
 def configuration(kind, **changes):
     return dict({"robot_type": kind, "rate": RATE, "sensor_timeout": 0.5, "start_timeout": TIMEOUT}, **dict(SMALL[kind], **changes))
+
+
+class RobotTestCase(unittest.TestCase):
+    """Ends the processes of a test, the last one first."""
+
+    def setUp(self):
+        self.processes = []
+
+    def tearDown(self):
+        self.end()
+
+    def end(self):
+        """Ends the present robot: all simulated ones have a node of the same name, /space."""
+        while self.processes:
+            self.processes.pop().end()
 
 
 class Arrivals:

@@ -5,7 +5,6 @@ its process is asked to end."""
 import signal
 import sys
 import time
-import unittest
 import xmlrpc.client
 
 import rosgraph
@@ -16,7 +15,7 @@ from nav_msgs.msg import Odometry
 from swarmanoid_msgs.msg import (CommandFrame, GripperCommand, HandsCommand, LaserCommand, RopeCommand, TurretCommand,
                                  WheelsCommand)
 
-from robot_processes import RATE, Arrivals, Drivers, Host, configuration, wait_until
+from robot_processes import RATE, Arrivals, Drivers, Host, RobotTestCase, configuration, wait_until
 
 SENSOR_TIMEOUT = 0.5  # [s]
 NOISE = 1.5  # [s] that this machine may be late
@@ -53,18 +52,7 @@ def rosnode_kill(host):
     xmlrpc.client.ServerProxy(address).shutdown("/robot_safe_stop_test", "as rosnode kill does it")
 
 
-class RobotSafeStopTest(unittest.TestCase):
-    def setUp(self):
-        self.processes = []
-
-    def tearDown(self):
-        self.end()
-
-    def end(self):
-        """Ends the robot that there is, since all simulated ones have a node of the same name, /space."""
-        while self.processes:
-            self.processes.pop().end()
-
+class RobotSafeStopTest(RobotTestCase):
     def start(self, kind, name, **parameters):
         """@return drivers, host, and commands once it moves"""
         self.end()

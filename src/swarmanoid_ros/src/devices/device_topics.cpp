@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_interface/device_type.hpp"
@@ -92,9 +93,11 @@ void DeviceTopics::addLeds(const Space& space, Row row) {
 }
 
 void DeviceTopics::addGroundTruth() {
+  nav_msgs::Odometry reused;
+  reused.child_frame_id = frameOf(id_);
   topics_.push_back(
       {handle_.advertise<nav_msgs::Odometry>("ground_truth/odom", 10),
-       [message = nav_msgs::Odometry()](const ros::Publisher& publisher, const Space& seen, Row row) mutable {
+       [message = std::move(reused)](const ros::Publisher& publisher, const Space& seen, Row row) mutable {
          if (publisher.getNumSubscribers() == 0) {
            return;
          }
@@ -102,7 +105,6 @@ void DeviceTopics::addGroundTruth() {
          const Twist& twist = seen.entities.twist[row];
          const Eigen::Quaterniond to_robot = pose.orientation.conjugate();
          message.header = headerOf(seen);
-         message.child_frame_id = frameOf(seen.entities.name[row]);
          message.pose.pose = toMessage(pose);
          message.twist.twist = toMessage(Twist{to_robot * twist.linear, to_robot * twist.angular});
          publisher.publish(message);

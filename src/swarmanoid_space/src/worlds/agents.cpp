@@ -20,28 +20,31 @@ void Agents::start(const Space& space, Banks& commands, Row row, Robot& robot) {
   commanded_.find(commands, row, slot->actuators);
 }
 
-/// Members and slots are in the same order as a rule, so the guess is right.
-Agents::Slot* Agents::slotOf(const GroupMember& member, std::size_t guess) {
-  if (guess < slots_.size() && slots_[guess].robot == member.robot) {
-    return &slots_[guess];
+/// Members and slots are in the same order as a rule, so the search from the slot of the last member is short.
+std::vector<Agents::Slot>::iterator Agents::slotOf(const Robot* robot, std::vector<Slot>::iterator from) {
+  const auto is_its = [robot](const Slot& slot) { return slot.robot == robot; };
+  const auto found = std::find_if(from, slots_.end(), is_its);
+  if (found != slots_.end()) {
+    return found;
   }
-  const auto found =
-      std::find_if(slots_.begin(), slots_.end(), [&](const Slot& slot) { return slot.robot == member.robot; });
-  return found == slots_.end() ? nullptr : &*found;
+  const auto before = std::find_if(slots_.begin(), from, is_its);
+  return before == from ? slots_.end() : before;
 }
 
 void Agents::step(const Space& /*space*/, Banks& /*commands*/, Span<const GroupMember> members) {
   for (Slot& slot : slots_) {
     slot.is_stepped = false;
   }
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    Slot* slot = slotOf(members[i], i);
-    if (slot == nullptr) {
+  auto next = slots_.begin();
+  for (const GroupMember& member : members) {
+    const auto slot = slotOf(member.robot, next);
+    if (slot == slots_.end()) {
       continue;
     }
+    next = slot + 1;
     slot->is_stepped = true;
     if (actions_ != nullptr) {
-      const auto place = static_cast<std::size_t>(slot - slots_.data());
+      const auto place = static_cast<std::size_t>(slot - slots_.begin());
       commanded_.scatter(actions_ + place * commanded_.size(), slot->actuators);
     }
   }
@@ -53,12 +56,10 @@ void Agents::markAll() {
   }
 }
 
-std::size_t Agents::observe(const Space& space, float* observations, std::uint8_t* present) const {
-  std::size_t count = 0;
+void Agents::observe(const Space& space, float* observations, std::uint8_t* present) const {
   for (std::size_t i = 0; i < most_; ++i) {
     const bool is_present = i < slots_.size() && slots_[i].is_stepped && remains(space, slots_[i]);
     present[i] = is_present ? 1 : 0;
-    count += present[i];
     if (is_present) {
       observed_.gather(slots_[i].sensors, observations);
     } else {
@@ -66,7 +67,6 @@ std::size_t Agents::observe(const Space& space, float* observations, std::uint8_
     }
     observations += observed_.size();
   }
-  return count;
 }
 
 }  // namespace swarmanoid

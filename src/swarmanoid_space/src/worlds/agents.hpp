@@ -31,8 +31,8 @@ class Agents final : public GroupController {
   /// Marks all agents as stepped, as before the first step of a run.
   void markAll();
   /// Reads the agents that were stepped in the last tick and remain. @param observations [most slots][observation
-  /// size], present [most slots]; rows of others become 0 @return number of these agents
-  std::size_t observe(const Space& space, float* observations, std::uint8_t* present) const;
+  /// size], present [most slots]; rows of others become 0
+  void observe(const Space& space, float* observations, std::uint8_t* present) const;
   /// Calls visit(slot, row) for the agents that remain.
   template <class Visit>
   void visit(const Space& space, Visit visit) const {
@@ -57,7 +57,8 @@ class Agents final : public GroupController {
     return slot.number != kNoEntity && toIndex(slot.row) < space.entities.rowCount() &&
            space.entities.number[slot.row] == slot.number;
   }
-  Slot* slotOf(const GroupMember& member, std::size_t guess);
+  /// Returns the slot of a robot, or the end. @param from where the search begins
+  std::vector<Slot>::iterator slotOf(const Robot* robot, std::vector<Slot>::iterator from);
 
   const AgentFields& observed_;
   const AgentFields& commanded_;

@@ -8,9 +8,18 @@
 #include "../assembly/workers.hpp"
 #include "agents.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid {
 namespace {
+
+/// @return the value @throws ConfigError if it is out of range
+std::size_t checked(const char* option, std::size_t value, Range range) {
+  if (!range.contains(static_cast<double>(value))) {
+    throw ConfigError({option, 0}, "found " + std::to_string(value) + ", allowed: " + range.toString());
+  }
+  return value;
+}
 
 /// The id of the agents' configuration. @throws ConfigError
 std::string controllerOf(const Experiment& experiment, const std::string& asked) {
@@ -63,8 +72,11 @@ struct Worlds::State {
   State(Options given, const Describe& describe);
 
   void add(std::size_t index, Experiment experiment);
+  /// Starts the run of a world anew, and observes it.
   void restart(std::size_t index, std::uint64_t seed);
   void observe(std::size_t index);
+  void judge(std::size_t index);
+  void clearRewards(std::size_t index) { std::fill_n(&rewards[index * slots], slots, 0.0F); }
   void step(std::size_t index, const float* actions);
   void advance(std::size_t index, const float* actions);
   /// Calls action(world) for all worlds, on all threads. @throws the exception of the first world that has one
@@ -89,11 +101,9 @@ Worlds::State::State(Options given, const Describe& describe)
     : options(std::move(given)),
       observed(options.observations, DeviceKind::kSensor, "observations"),
       commanded(options.actions, DeviceKind::kActuator, "actions"),
-      workers(static_cast<int>(options.threads)),
-      worlds(options.count) {
-  if (options.count == 0 || options.ticks_per_step == 0) {
-    throw ConfigError({options.count == 0 ? "count" : "ticks_per_step", 0}, "found 0, allowed: from 1");
-  }
+      workers(static_cast<int>(checked("threads", options.threads, limits::kThreads))),
+      worlds(checked("count", options.count, {1.0, 1e6})) {
+  checked("ticks_per_step", options.ticks_per_step, {1.0, 1e9});
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     add(i, describe(i));
     slots = std::max(slots, worlds[i].agents->slotCount());
@@ -111,7 +121,10 @@ Worlds::State::State(Options given, const Describe& describe)
   for (OneWorld& world : worlds) {
     world.agents->limitSlots(slots);
   }
-  forAll([this](std::size_t i) { observe(i); });
+  forAll([this](std::size_t i) {
+    observe(i);
+    judge(i);
+  });
 }
 
 void Worlds::State::add(std::size_t index, Experiment experiment) {
@@ -163,19 +176,26 @@ void Worlds::State::restart(std::size_t index, std::uint64_t seed) {
   world.agents->markAll();
   world.metric = options.reward.empty() ? 0.0 : metricOf(*world.simulation, options.reward);
   world.is_over = false;
-  std::fill_n(rewards.begin() + static_cast<std::ptrdiff_t>(index * slots), slots, 0.0F);
   observe(index);
 }
 
 void Worlds::State::observe(std::size_t index) {
   OneWorld& world = worlds[index];
   world.simulation->sense();
-  const Simulation& simulation = *world.simulation;
-  const std::size_t left = world.agents->observe(simulation.space(), &observations[index * slots * observed.size()],
-                                                 &present[index * slots]);
+  world.agents->observe(world.simulation->space(), &observations[index * slots * observed.size()],
+                        &present[index * slots]);
+}
+
+/// Decides whether the run of a world is over.
+void Worlds::State::judge(std::size_t index) {
+  const Simulation& simulation = *worlds[index].simulation;
+  const auto first = present.begin() + static_cast<std::ptrdiff_t>(index * slots);
+  const bool is_empty =
+      std::find(first, first + static_cast<std::ptrdiff_t>(slots), 1) == first + static_cast<std::ptrdiff_t>(slots);
   const bool is_at_end = simulation.space().tick >= simulation.experiment().framework.max_clock;
   truncated[index] = is_at_end ? 1 : 0;
-  terminated[index] = (simulation.isFinished() && !is_at_end) || left == 0 ? 1 : 0;
+  terminated[index] = (simulation.isFinished() && !is_at_end) || is_empty ? 1 : 0;
+  worlds[index].is_over = terminated[index] != 0 || truncated[index] != 0;
 }
 
 void Worlds::State::advance(std::size_t index, const float* actions) {
@@ -201,25 +221,19 @@ void Worlds::State::step(std::size_t index, const float* actions) {
     std::fill_n(&final_observations[index * slots * observed.size()], slots * observed.size(), 0.0F);
   }
   if (world.is_over) {
-    if (options.autoreset == Autoreset::kDisabled) {
-      std::fill_n(&rewards[index * slots], slots, 0.0F);
-    } else {
+    clearRewards(index);
+    if (options.autoreset != Autoreset::kDisabled) {
       restart(index, world.seed + worlds.size());
+      judge(index);
     }
     return;
   }
   advance(index, actions);
-  world.is_over = terminated[index] != 0 || truncated[index] != 0;
+  judge(index);
   if (world.is_over && options.autoreset == Autoreset::kSameStep) {
     const std::size_t numbers = slots * observed.size();
     std::copy_n(&observations[index * numbers], numbers, &final_observations[index * numbers]);
-    const std::uint8_t was_terminated = terminated[index];
-    const std::uint8_t was_truncated = truncated[index];
-    const std::vector<float> earned(&rewards[index * slots], &rewards[index * slots] + slots);
     restart(index, world.seed + worlds.size());
-    std::copy(earned.begin(), earned.end(), &rewards[index * slots]);
-    terminated[index] = was_terminated;
-    truncated[index] = was_truncated;
   }
 }
 
@@ -236,7 +250,9 @@ std::size_t Worlds::actionSize() const { return state_->commanded.size(); }
 void Worlds::reset(const std::uint8_t* chosen, const std::uint64_t* seeds) {
   state_->forAll([&](std::size_t i) {
     if (chosen == nullptr || chosen[i] != 0) {
+      state_->clearRewards(i);
       state_->restart(i, seeds == nullptr ? state_->worlds[i].seed + count() : seeds[i]);
+      state_->judge(i);
     }
   });
 }

@@ -5,12 +5,15 @@
 /// order of entity numbers; a robot that is added later takes the first slot that is free, and is no agent if there is
 /// none. Observations are the readings that its controller would get in the next tick, and actions are its commands in
 /// each tick of a step. So a policy makes the same run, bit for bit, as the same computation in a controller.
+/// Observations of a run that is over are the readings of its last tick.
 ///
 /// Arrays   contiguous, [worlds][slots][numbers] or [worlds][slots]; they stay in place while this object lives.
 /// Threads  all functions from one thread. Worlds are stepped on `threads` threads, one thread for a world; results do
 ///          not depend on their number.
-/// Errors   ConfigError for a wrong experiment or option. An exception in a world ends that world's run; `step` throws
-///          the one of the first such world, with its number, after all worlds are stepped.
+/// Units    those of the devices' fields; float32.
+/// Errors   ConfigError for a wrong experiment or option. An exception in a world ends that world's run; `step` and
+///          `reset` throw a std::runtime_error with the number and the reason of the first such world, after all others
+///          are done.
 #pragma once
 
 #include <cstddef>
@@ -35,14 +38,14 @@ enum class Autoreset : std::uint8_t {
 class Worlds {
  public:
   struct Options {
-    std::size_t count = 1;                  ///< number of worlds
+    std::size_t count = 1;                  ///< number of worlds, to a million
     std::string controller;                 ///< id of the configuration of the agents; "": the only one
     std::vector<std::string> observations;  ///< fields of sensors, such as "footbot_proximity.value"
     std::vector<std::string> actions;       ///< fields of actuators, such as "footbot_wheels.left"
     std::string reward;                     ///< a metric of the run, whose rise in a step rewards each agent; "": none.
                                             ///< Reading metrics allocates; nothing else in a step of the suite does
-    std::size_t ticks_per_step = 1;
-    std::size_t threads = 1;
+    std::size_t ticks_per_step = 1;         ///< from 1
+    std::size_t threads = 1;                ///< from 1 to 1024
     Autoreset autoreset = Autoreset::kNextStep;
   };
   /// Returns the experiment of a world, with its seed; called once for each world, in order.
@@ -61,7 +64,7 @@ class Worlds {
   std::size_t actionSize() const;       ///< numbers of an agent
 
   /// Starts the runs of some worlds anew. @param chosen of each world, not 0: it is reset; null: all worlds
-  /// @param seeds of each world; null: the last one plus the number of worlds, so that no two runs have the same
+  /// @param seeds of each world; null: the last one plus the number of worlds
   void reset(const std::uint8_t* chosen = nullptr, const std::uint64_t* seeds = nullptr);
   /// @param actions [worlds][slots][action size]; rows without an agent are ignored
   void step(const float* actions);
