@@ -7,6 +7,7 @@
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/robot.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 #include "swarmanoid_interface/time.hpp"
 
 namespace swarmanoid {
@@ -27,6 +28,11 @@ class Controller {
   /// Returns to the state after init. For code that steps a controller itself, such as its tests. When an experiment is
   /// reset, the framework does not call this function: it destroys the controller and makes another one.
   virtual void reset() {}
+
+  /// Saves or loads all state that steps change (state_archive.hpp), for snapshots of a run; not its devices, its robot
+  /// and its random numbers. A controller without such state overrides it with an empty function. The default declares
+  /// that the state is not defined: a snapshot of its run is then refused, with the controller's name.
+  virtual void archive(StateArchive& state) { state.refuse(); }
 
   /// Releases what init acquired. An exception is reported; the shutdown of the robot continues.
   virtual void destroy() {}

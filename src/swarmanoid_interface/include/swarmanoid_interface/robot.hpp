@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/random.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 #include "swarmanoid_interface/time.hpp"
 
 namespace swarmanoid {
@@ -87,6 +88,10 @@ class alignas(64) Robot {
   void setLogSink(LogSink sink) { log_sink_ = std::move(sink); }
   /// Sets another seed for the steps from now on.
   void reseed(std::uint64_t seed) { random_.reseed(seed); }
+  /// Random numbers, debug values and the limit of the log, for snapshots.
+  void archive(StateArchive& state) {
+    state(random_, time_, debug_values_, has_warned_of_debug_, log_window_start_, logged_in_window_);
+  }
   /// Is called before each step.
   void startTick(std::uint64_t tick, Time time) {
     time_ = time;

@@ -2,7 +2,7 @@
 /// their commands, checks, limits and disturbs them, and passes the resulting actuation to the robots' mechanisms,
 /// which engines read.
 ///
-/// Phases   configure, add, remove, setFaults, stop: between phases. actuate: the phase of this name.
+/// Phases   configure, add, remove, setFaults, archive, stop: between phases. actuate: the phase of this name.
 ///          afterMove: in `connect`. draw: in `show` or between ticks, if a viewer is active.
 /// Noise    drawn from the instance's own stream.
 /// Errors   errors of <error> elements act on the actuation after the check and before `limit`. addErrorAlias makes a
@@ -25,7 +25,9 @@
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/safe_stop.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 #include "swarmanoid_space/access.hpp"
+#include "swarmanoid_space/archive_device.hpp"
 #include "swarmanoid_space/device_description.hpp"
 #include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
@@ -58,6 +60,10 @@ class Actuator {
   virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
   /// Between ticks: later random draws use another seed.
   virtual void reseed(std::uint64_t seed) = 0;
+  /// Saves or loads the state of all instances (state_archive.hpp), for snapshots of a run. When it loads, the actuator
+  /// has instances for the same robots, with the same faults. An instance that adds members has a function `archive`
+  /// for those that last from tick to tick, as instances of sensors.
+  virtual void archive(StateArchive& state) = 0;
 
   /// Turns commands into actuation. Adds the rows of commands with a number that is not finite to `faulty`; their
   /// actuation keeps its previous value.
@@ -165,6 +171,22 @@ class ActuatorOf : public Actuator {
     }
     for (Disturbed& disturbed : error_states_) {
       disturbed.errors.reseed(seed);
+    }
+  }
+
+  void archive(StateArchive& state) override {
+    for (std::size_t k = 0; k < instances_.size(); ++k) {
+      Instance& instance = instances_[k];
+      state(instance.random);
+      archiveDevice(state, *instance.command);
+      archiveDevice(state, *instance.actuation);
+      archiveOwnMembers<BasicActuatorInstance<Device>>(state, instance);
+      if (!errors_.isEmpty()) {
+        state(error_states_[k].errors);
+      }
+      if (instance.fault != nullptr) {
+        state(*instance.fault);
+      }
     }
   }
 

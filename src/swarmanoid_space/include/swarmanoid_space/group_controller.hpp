@@ -14,6 +14,7 @@
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/robot.hpp"
 #include "swarmanoid_interface/span.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -42,6 +43,9 @@ class GroupController {
   /// @param commands Space::commands
   /// @param members by entity number: robots commanded by their controller that have not failed. May be empty.
   virtual void step(const Space& space, Banks& commands, Span<const GroupMember> members) = 0;
+
+  /// As Controller::archive, for all robots. Loads into an object whose robots were started in the same order.
+  virtual void archive(StateArchive& state) { state.refuse(); }
 };
 
 }  // namespace swarmanoid

@@ -23,6 +23,7 @@
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 #include "swarmanoid_space/intervention_queue.hpp"
 #include "swarmanoid_space/metrics.hpp"
 #include "swarmanoid_space/space.hpp"
@@ -46,6 +47,12 @@ class Rule {
   /// Whether the run was a success; only some rules judge that.
   virtual std::optional<bool> success() const { return std::nullopt; }
 
+  /// Saves or loads all own state that follows neither from the parameters nor from the space (state_archive.hpp), for
+  /// snapshots of a run. Metrics and random numbers are saved for it. A rule without such state overrides it with an
+  /// empty function. The default declares that the state is not defined: a snapshot is then refused, with the rule's
+  /// name.
+  virtual void archive(StateArchive& state) { state.refuse(); }
+
   const std::string& id() const { return id_; }
   /// In the order in which they were added.
   const std::deque<Metric>& metrics() const { return metrics_; }
@@ -61,6 +68,14 @@ class Rule {
     }
   }
   void startTick(std::uint64_t tick) { random_.startTick(tick); }
+  /// `archive`, with metrics and random numbers.
+  void archiveAll(StateArchive& state) {
+    state(random_);
+    for (Metric& metric : metrics_) {
+      state(metric.value);
+    }
+    archive(state);
+  }
   /// Later ticks draw with another seed.
   void reseed(std::uint64_t seed) { random_.reseed(seed); }
 

@@ -1,7 +1,7 @@
 /// The base classes of simulated sensors. One object serves all robots of one controller configuration: it reads the
 /// space and fills their readings, the structs of swarmanoid_interface/devices.
 ///
-/// Phases   configure, add, remove, setFaults: between ticks. prepare, then sense: the phase of this name, with const
+/// Phases   configure, add, remove, setFaults, archive: between ticks. prepare, then sense: the phase of this name, with const
 ///          access to the space. draw: in `show` or between ticks, if a viewer is active.
 /// Threads  sense is called concurrently on disjoint ranges of instances. No allocation, lock, log or throw in it.
 /// Noise    drawn from the instance's own stream, so it does not depend on other instances.
@@ -9,6 +9,10 @@
 ///          parameter of the sensor mean such an error. The alias draws from a stream of the same name as the
 ///          instance's own stream, so both give the same numbers: a sensor that draws random numbers itself should
 ///          have no aliases that draw. Faults of single robots (setFaults) act after these errors.
+///
+/// State    an instance that adds members has a function `archive` for those that last from tick to tick, which may be
+///          empty; members of the sensor itself are parameters, or are filled in by `prepare` or `sense`. Otherwise
+///          override archive. A sensor whose instances lack the function has no snapshots.
 ///
 /// To add a sensor: write its struct and descriptor in an interface header, derive from SensorOf<Struct>, end with
 /// REGISTER_SENSOR.
@@ -23,7 +27,9 @@
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 #include "swarmanoid_space/access.hpp"
+#include "swarmanoid_space/archive_device.hpp"
 #include "swarmanoid_space/device_description.hpp"
 #include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
@@ -55,6 +61,9 @@ class Sensor {
   virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
   /// Between ticks: later random draws use another seed.
   virtual void reseed(std::uint64_t seed) = 0;
+  /// Saves or loads the state of all instances (state_archive.hpp), for snapshots of a run. When it loads, the sensor
+  /// has instances for the same robots, with the same faults.
+  virtual void archive(StateArchive& state) = 0;
 
   virtual std::size_t instanceCount() const = 0;
   /// Called on one thread before the ranges are sensed; computes data that all instances share.
@@ -185,6 +194,23 @@ class SensorOf : public Sensor {
     }
     for (Disturbed& disturbed : disturbed_) {
       disturbed.errors.reseed(seed);
+    }
+  }
+
+  void archive(StateArchive& state) override {
+    for (std::size_t k = 0; k < instances_.size(); ++k) {
+      Instance& instance = instances_[k];
+      state(instance.random);
+      archiveDevice(state, *instance.readings);
+      archiveOwnMembers<BasicSensorInstance<Device>>(state, instance);
+      if (!errors_.isEmpty()) {
+        archiveDevice(state, *disturbed_[k].delivered);
+        state(disturbed_[k].errors);
+      }
+      if (instance.fault != nullptr) {
+        archiveDevice(state, *instance.fault->delivered);
+        state(instance.fault->errors);
+      }
     }
   }
 

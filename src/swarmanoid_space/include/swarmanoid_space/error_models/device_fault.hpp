@@ -36,6 +36,9 @@ class DeviceFault {
   /// As ErrorState::reseed.
   void reseed(std::uint64_t seed) { state_.reseed(seed); }
 
+  /// For snapshots; loads into an object that was made with the same errors.
+  void archive(StateArchive& state) { state(state_); }
+
  private:
   std::vector<ErrorModelDescription> errors_;
   DeviceErrors chain_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/span.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 
 namespace swarmanoid {
 
@@ -34,6 +35,8 @@ class ElementBuffer {
   std::byte* bytes() { return reinterpret_cast<std::byte*>(words_.data()); }
   Span<const std::byte> all() const { return {reinterpret_cast<const std::byte*>(words_.data()), size_}; }
   std::size_t count() const { return count_; }
+
+  void archive(StateArchive& state) { state(words_, size_, count_); }
 
  private:
   static std::size_t wordsOf(std::size_t bytes) { return (bytes + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t); }

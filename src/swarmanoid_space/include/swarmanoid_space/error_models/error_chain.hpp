@@ -44,6 +44,8 @@ struct ErrorState {
       stream.reseed(seed);
     }
   }
+
+  void archive(StateArchive& state) { state(tick, first_tick, streams, memory, memory_before, histories, elements); }
 };
 
 /// The origin of an error; different origins draw from different streams.

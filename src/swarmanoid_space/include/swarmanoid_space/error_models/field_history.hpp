@@ -29,6 +29,8 @@ class FieldHistory {
   void restore(std::size_t slot, const FieldSelection& fields, const std::vector<SpanPlace>& spans,
                const DisturbedDevice& device) const;
 
+  void archive(StateArchive& state) { state(slot_size_, numbers_, elements_); }
+
  private:
   std::size_t slot_size_ = 0;  // of the numbers [byte]
   std::vector<std::byte> numbers_;
