@@ -52,14 +52,15 @@ class Ticking {
 
 }  // namespace
 
-Run::Run(Experiment experiment, RunContext context, const PythonParts& parts) {
+Run::Run(ExperimentSource source, Experiment experiment, RunContext context, PythonParts parts)
+    : source_(std::move(source)), parts_(std::move(parts)) {
   SuppliedParts supplied;
-  for (const auto& [id, controller] : parts.controllers) {
+  for (const auto& [id, controller] : parts_.controllers) {
     const auto made = makeController(controller, configurationOf(experiment, id), moment_, thrown_);
     supplied.group_controllers[id] = made;
     holders_.push_back(std::dynamic_pointer_cast<HoldsObjects>(made));
   }
-  for (const auto& [id, rule] : parts.rules) {
+  for (const auto& [id, rule] : parts_.rules) {
     const auto made = std::make_shared<PythonRule>(rule, moment_, thrown_);
     supplied.rules.emplace_back(id, made);
     holders_.push_back(made);
@@ -166,6 +167,45 @@ void Run::reset(std::optional<std::uint64_t> seed) {
   act([&] { simulation_->reset(seed); });
 }
 
+std::shared_ptr<const Snapshot> Run::snapshot() const {
+  requireOpen();
+  return simulation_->snapshot();
+}
+
+void Run::restore(const Snapshot& snapshot) {
+  requireOpen();
+  std::exception_ptr refusal;
+  act([&] {
+    try {
+      simulation_->restore(snapshot);
+    } catch (const ConfigError&) {
+      refusal = std::current_exception();
+    }
+  });
+  if (refusal) {
+    std::rethrow_exception(refusal);
+  }
+}
+
+std::unique_ptr<Run> Run::fork() const {
+  const auto snapshot = this->snapshot();
+  const py::object copy = py::module_::import("copy").attr("deepcopy");
+  PythonParts parts = parts_;
+  for (auto& [id, controller] : parts.controllers) {
+    controller = copy(controller);
+  }
+  for (auto& [id, rule] : parts.rules) {
+    rule = copy(rule);
+  }
+  ExperimentSource source = source_;
+  source.may_write = false;
+  RunContext context;
+  context.is_open = false;
+  auto run = std::make_unique<Run>(source, read(source), context, std::move(parts));
+  run->restore(*snapshot);
+  return run;
+}
+
 void Run::apply(const Intervention& intervention) {
   requireOpen();
   std::optional<std::string> refusal;
@@ -182,6 +222,16 @@ void Run::apply(const Intervention& intervention) {
 }
 
 int Run::visitObjects(visitproc visit, void* argument) const {
+  for (const auto& [id, controller] : parts_.controllers) {
+    if (const int result = visit(controller.ptr(), argument); result != 0) {
+      return result;
+    }
+  }
+  for (const auto& [id, rule] : parts_.rules) {
+    if (const int result = visit(rule.ptr(), argument); result != 0) {
+      return result;
+    }
+  }
   for (const auto& holder : holders_) {
     if (const int result = holder->visitObjects(visit, argument); result != 0) {
       return result;
@@ -191,6 +241,7 @@ int Run::visitObjects(visitproc visit, void* argument) const {
 }
 
 void Run::releaseObjects() {
+  parts_ = {};
   for (const auto& holder : holders_) {
     holder->releaseObjects();
   }

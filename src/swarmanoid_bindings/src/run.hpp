@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiment_source.hpp"
 #include "moment.hpp"
 #include "python/holds_objects.hpp"
 #include "python/thrown.hpp"
@@ -29,7 +30,8 @@ struct PythonParts {
 class Run {
  public:
   /// @throws ConfigError, pybind11::error_already_set for exceptions of Python parts
-  Run(Experiment experiment, RunContext context, const PythonParts& parts);
+  /// @param source of the experiment, for `fork`
+  Run(ExperimentSource source, Experiment experiment, RunContext context, PythonParts parts);
   ~Run() { ++moment_->number; }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -41,6 +43,12 @@ class Run {
   /// Computes the readings that controllers get in the next tick (Simulation::sense).
   void sense();
   void reset(std::optional<std::uint64_t> seed);
+  /// @throws std::runtime_error naming the part without a defined state
+  std::shared_ptr<const Snapshot> snapshot() const;
+  /// @throws ConfigError for a snapshot of another experiment; the run is then unchanged
+  void restore(const Snapshot& snapshot);
+  /// Another run of the same experiment, without observers, with copies of the Python parts, in the state of this one.
+  std::unique_ptr<Run> fork() const;
   /// @throws InterventionError with the reason if the intervention is rejected; the world is then unchanged
   void apply(const Intervention& intervention);
   /// Completes the output of observers, and destroys the controllers.
@@ -65,6 +73,8 @@ class Run {
   template <class Action>
   void act(Action action);
 
+  ExperimentSource source_;
+  PythonParts parts_;
   std::shared_ptr<Moment> moment_ = std::make_shared<Moment>();
   std::shared_ptr<Thrown> thrown_ = std::make_shared<Thrown>();
   std::vector<std::shared_ptr<HoldsObjects>> holders_;  // controllers and rules

@@ -52,7 +52,7 @@ std::unique_ptr<Run> makeRun(const Options& options) {
     files.rules = options.rules;
     context.out = openOutFolder(files, experiment);
   }
-  auto run = std::make_unique<Run>(std::move(experiment), context, options.parts);
+  auto run = std::make_unique<Run>(options.source, std::move(experiment), context, options.parts);
   if (context.out != nullptr) {
     context.out->keep();
   }
@@ -190,7 +190,18 @@ dtype('float32')
 
 }  // namespace
 
+void bindSnapshot(py::module_& module) {
+  py::class_<Snapshot, std::shared_ptr<Snapshot>> snapshot(
+      module, "Snapshot", "The whole state of a run between two ticks, from Simulation.snapshot or Worlds.snapshot.");
+  refuseUnmade<Snapshot>();
+  refuseCopies(snapshot, "it does not change, so that it may be used by several");
+  snapshot.def_property_readonly("ticks", &Snapshot::tick, "Finished ticks.")
+      .def_property_readonly("seed", &Snapshot::seed, "Of the run's random numbers.")
+      .def_property_readonly("size", &Snapshot::size, "Of the state [byte].");
+}
+
 void bindSimulation(py::module_& module) {
+  bindSnapshot(module);
   py::class_<Run> simulation(module, "Simulation", kSimulationText, py::custom_type_setup(&letBeCollected));
   refuseUnmade<Run>();
   refuseCopies(simulation, "make another one, and repeat in it what was done to this one");
@@ -229,6 +240,16 @@ void bindSimulation(py::module_& module) {
            "Readings become those that controllers get in the next tick, which begins with this: between ticks they "
            "are those "
            "that the last tick began with.")
+      .def(
+          "snapshot", [](const Run& run) { return std::const_pointer_cast<Snapshot>(run.snapshot()); },
+          "The whole state of the run between two ticks: a Snapshot. Attributes of Python controllers and rules are "
+          "pickled. A RuntimeError names a part whose state is not defined.")
+      .def(
+          "restore", [](Run& run, const Snapshot& snapshot) { run.restore(snapshot); }, py::arg("snapshot"),
+          "Goes on from a snapshot of this simulation, or of another one of the same experiment.")
+      .def("fork", &Run::fork,
+           "Another simulation of the same experiment in the state of this one, which writes no files. Python "
+           "controllers and rules are copied.")
       .def("reset", &Run::reset, py::arg("seed") = py::none(), "Back to the state before the first tick.")
       .def("close", &Run::close, "Completes the files that the run writes; there are no ticks afterwards.")
       .def(

@@ -107,6 +107,22 @@ void reset(Worlds& worlds, const std::optional<Truths>& chosen, const std::optio
   worlds.reset(mask, numbers);
 }
 
+void requireWorld(const Worlds& worlds, std::size_t world) {
+  if (world >= worlds.count()) {
+    throw py::index_error("found the world " + std::to_string(world) + ", allowed: less than " +
+                          std::to_string(worlds.count()));
+  }
+}
+
+void restore(Worlds& worlds, const Snapshot& snapshot, const std::optional<Truths>& chosen) {
+  if (chosen) {
+    requireShape("worlds", *chosen, {worlds.count()});
+  }
+  const auto* mask = chosen ? reinterpret_cast<const std::uint8_t*>(chosen->data()) : nullptr;
+  const WithoutLock unlocked;
+  worlds.restore(snapshot, mask);
+}
+
 void step(Worlds& worlds, const Actions& actions) {
   requireShape("actions", actions, {worlds.count(), worlds.slots(), worlds.actionSize()});
   const float* numbers = actions.data();
@@ -212,15 +228,21 @@ void bindWorlds(py::module_& module) {
       .def("reset", &reset, py::arg("worlds") = py::none(), py::kw_only(), py::arg("seeds") = py::none(),
            "Starts runs anew. worlds: (worlds,), bool, which of them; None: all. seeds: (worlds,); None: each world's "
            "last one plus the number of worlds.")
+      .def(
+          "snapshot",
+          [](const Worlds& worlds, std::size_t world) {
+            requireWorld(worlds, world);
+            return std::const_pointer_cast<Snapshot>(worlds.snapshot(world));
+          },
+          py::arg("world"), "The state of a world's run: a Snapshot.")
+      .def("restore", &restore, py::arg("snapshot"), py::arg("worlds") = py::none(),
+           "Goes on from a snapshot. worlds: (worlds,), bool, which of them; None: all.")
       .def("step", &step, py::arg("actions"),
            "Makes a step of all worlds. actions: (worlds, robots, numbers); rows without a robot are ignored.")
       .def(
           "state_hash",
           [](const Worlds& worlds, std::size_t world) {
-            if (world >= worlds.count()) {
-              throw py::index_error("found the world " + std::to_string(world) + ", allowed: less than " +
-                                    std::to_string(worlds.count()));
-            }
+            requireWorld(worlds, world);
             return hashText(worlds.world(world).stateHash());
           },
           py::arg("world"), "Of all state of a world, as `swarmanoid run` prints it.");

@@ -17,7 +17,7 @@ rules, docs/how-to/record_and_analyse.md shows how to `load` recorded runs. Simu
 
 from ._core import (Answer, Delete, Devices, Disc, ErrorModel, ExperimentError, FieldArrays, HandOver, InterventionError,
                     ListArrays, Move, Paint, Robots, RuleError, SetCommandSource, SetEngineParameters, SetFault, SetProperty, Simulation,
-                    Spawn, SteppedRobots, World, Worlds, fields_of, installed_experiments)
+                    Snapshot, Spawn, SteppedRobots, World, Worlds, fields_of, installed_experiments)
 
 from ._single import Robot
 from .recording import RecordedEvent, RecordedReadings, Recording, RecordingError, load
@@ -25,7 +25,7 @@ from .recording import RecordedEvent, RecordedReadings, Recording, RecordingErro
 __all__ = ["Answer", "Delete", "Devices", "Disc", "ErrorModel", "ExperimentError", "FieldArrays", "HandOver",
            "InterventionError", "ListArrays", "Move", "Paint", "RecordedEvent", "RecordedReadings", "Recording",
            "RecordingError", "Robots", "RuleError", "SetCommandSource", "SetEngineParameters", "SetFault", "SetProperty",
-           "Simulation", "Spawn", "SteppedRobots", "World", "Worlds", "fields_of", "installed_experiments", "load", "Robot"]
+           "Simulation", "Snapshot", "Spawn", "SteppedRobots", "World", "Worlds", "fields_of", "installed_experiments", "load", "Robot"]
 
 for _name in __all__:
     if isinstance(globals()[_name], type):

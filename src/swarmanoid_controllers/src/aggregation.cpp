@@ -42,6 +42,8 @@ class Aggregation final : public Controller {
     robot_->debug("state", sees ? "Turn" : "Circle");
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   /// Wheel speeds as parts of the maximum.
   struct Wheels {

@@ -59,6 +59,8 @@ class Carrying final : public Controller {
     }
   }
 
+  void archive(StateArchive& state) override { state(state_, since_); }
+
  private:
   enum class State { kGripping, kWaiting, kCarrying, kReleasing, kResting };
 

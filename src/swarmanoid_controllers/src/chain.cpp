@@ -25,6 +25,8 @@ class Chain final : public Controller {
     wheels_->drive(is_time ? speed_ : 0.0, 0.0);
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   FootbotWheels* wheels_ = nullptr;
   FootbotGripper* gripper_ = nullptr;

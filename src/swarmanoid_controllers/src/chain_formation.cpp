@@ -58,6 +58,8 @@ class ChainFormation final : public Controller {
     }
   }
 
+  void archive(StateArchive& state) override { state(memory_); }
+
  private:
   enum class State { kSearch, kExplore, kLink, kReturn, kSetOut };
 

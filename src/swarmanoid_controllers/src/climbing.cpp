@@ -68,6 +68,8 @@ class Climbing final : public Controller {
     }
   }
 
+  void archive(StateArchive& state) override { state(state_, since_, length_, tries_, is_at_wall_); }
+
  private:
   enum class State { kWaiting, kShooting, kClimbing, kAdjusting, kReaching, kTaking, kDescending, kDone };
 

@@ -32,6 +32,8 @@ class Diffusion final : public Controller {
     base_.drive(0.0, turn_rate_);
   }
 
+  void archive(StateArchive& state) override { state(turn_rate_); }
+
  private:
   MobileBase base_;
   double speed_ = 0.0;      // m/s

@@ -58,6 +58,8 @@ class EmergentTaxis final : public Controller {
     }
   }
 
+  void archive(StateArchive& state) override { state(memory_); }
+
  private:
   static constexpr double kTurnRate = 1.5;   // rad/s
   static constexpr float kDark = 0.01F;      // a reading of a light sensor

@@ -44,6 +44,8 @@ class EyebotFlocking final : public Controller {
     flight_->yaw_rate = aligns_ ? kTurnGain * std::atan2(course.y(), course.x()) : 0.0;
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   static constexpr double kTurnGain = 1.0;   // 1/s
   static constexpr double kClimbGain = 1.0;  // 1/s

@@ -72,6 +72,10 @@ class EyebotRetrieval final : public Controller {
     flown_.y += velocity_->linear.y() * dt_;
   }
 
+  void archive(StateArchive& state) override {
+    state(state_, has_chosen_, prey_color_, time_alone_, flown_, waypoint_, nest_place_);
+  }
+
  private:
   enum class State { kSearchForPrey, kGoToPrey, kWaitForFootbotGripping, kSearchForNest, kGoToNest };
 

@@ -57,6 +57,8 @@ class FeedForwardController final : public Controller {
     outputs_.write(network_.outputs());
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   neural::NetworkInputs inputs_;
   neural::NetworkOutputs outputs_;

@@ -47,6 +47,8 @@ class Flocking final : public Controller {
     drive(course);
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   static constexpr double kTurnGain = 1.0;  // 1/s
 

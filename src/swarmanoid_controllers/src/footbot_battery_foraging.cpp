@@ -44,6 +44,8 @@ class FootbotBatteryForaging final : public Controller {
     }
   }
 
+  void archive(StateArchive& state) override { state(retrieval_, visit_); }
+
  private:
   FootbotWheels* wheels_ = nullptr;
   PreyRetrieval retrieval_;

@@ -41,6 +41,8 @@ class FootbotCharging final : public Controller {
     }
   }
 
+  void archive(StateArchive& state) override { state(memory_, visit_); }
+
  private:
   void startToWander() {
     memory_ = Memory{};

@@ -21,6 +21,8 @@ class FootbotForaging final : public Controller {
 
   void step(Time, Duration dt) override { retrieval_.step(toSeconds(dt)); }
 
+  void archive(StateArchive& state) override { state(retrieval_); }
+
  private:
   FootbotWheels* wheels_ = nullptr;
   PreyRetrieval retrieval_;

@@ -58,6 +58,8 @@ class FootbotRetrieval final : public Controller {
     }
   }
 
+  void archive(StateArchive& state) override { state(memory_); }
+
  private:
   enum class State { kSearchForLaser, kGoToLaser, kGripPrey, kGoToNest, kAvoidGrippingFootbot };
 

@@ -46,6 +46,7 @@ class PerchVisit {
   }
 
   void reset() { memory_ = Memory{}; }
+  void archive(StateArchive& state) { state(memory_); }
 
   /// Called at the start of each step. The first call checks whether the robot already stands beside a perch that
   /// charges it.

@@ -34,6 +34,8 @@ class Phototaxis final : public Controller {
     steer(base_, std::atan2(y, x), is_barred ? 0.0 : speed_);
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   MobileBase base_;
   const Light* light_ = nullptr;

@@ -38,6 +38,8 @@ class Predators final : public Controller {
     drive(planarForceOfNeighbours(*received_, distance_, kReach * distance_) + forceOfPrey());
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   /// As a multiple of the distance: between the first row of neighbours, at 1, and the second, at sqrt(3).
   static constexpr double kReach = 1.5;

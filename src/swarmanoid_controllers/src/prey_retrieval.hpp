@@ -38,6 +38,7 @@ class PreyRetrieval {
     memory_ = Memory{};
     enter(State::kSearch);
   }
+  void archive(StateArchive& state) { state(memory_); }
   bool isSearching() const { return memory_.state == State::kSearch; }
 
   /// @param dt since the last call [s]

@@ -33,6 +33,8 @@ class Pulling final : public Controller {
     }
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   void show(const char* state, Color color) {
     robot_->debug("state", state);

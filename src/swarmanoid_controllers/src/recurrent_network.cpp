@@ -37,6 +37,8 @@ class RecurrentController final : public Controller {
     outputs_.write(network_.outputs());
   }
 
+  void archive(StateArchive& state) override { state(network_); }
+
  private:
   neural::NetworkInputs inputs_;
   neural::NetworkOutputs outputs_;

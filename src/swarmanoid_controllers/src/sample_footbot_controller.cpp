@@ -25,6 +25,8 @@ class SampleFootbotController final : public Controller {
     }
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   /// Returns the distance of the nearest obstacle ahead, from the sensors' cubic response [m]; without one, their
   /// range.

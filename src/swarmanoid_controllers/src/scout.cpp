@@ -44,6 +44,8 @@ class Scout final : public Controller {
     velocity_->linear.y() = speed_ * std::sin(goal->bearing());
   }
 
+  void archive(StateArchive& state) override { state(goal_); }
+
  private:
   void turnTo(std::size_t goal) {
     goal_ = goal;

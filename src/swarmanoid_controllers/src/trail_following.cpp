@@ -46,6 +46,8 @@ class TrailFollowing final : public Controller {
     follow();
   }
 
+  void archive(StateArchive& state) override { state(memory_); }
+
  private:
   static constexpr double kTurnRate = 1.5;  // rad/s
   static constexpr double kNear = 0.15;     // of the sum of proximity readings

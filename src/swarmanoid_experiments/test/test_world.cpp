@@ -59,6 +59,8 @@ class TestDrive final : public Controller {
     }
   }
 
+  void archive(StateArchive& state) override { state(tick_); }
+
   void destroy() override {
     if (throws_when_it_goes_) {
       throw std::runtime_error("told to, at the end");

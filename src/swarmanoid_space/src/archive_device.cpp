@@ -1,11 +1,13 @@
 #include "swarmanoid_space/archive_device.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
 #include <utility>
 #include <vector>
 
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/span.hpp"
 
 namespace swarmanoid {
@@ -15,6 +17,14 @@ namespace {
 using SpanBytes = std::array<std::byte, sizeof(Span<const std::byte>)>;
 
 }  // namespace
+
+const DeviceNumber& onlySpanOf(const char* type) {
+  const DeviceType* const described = findDeviceType(type);
+  SWARMANOID_EXPECTS(described != nullptr);
+  const auto is_span = [](const DeviceNumber& number) { return number.kind == DeviceNumber::Kind::kSpan; };
+  SWARMANOID_EXPECTS(std::count_if(described->numbers.begin(), described->numbers.end(), is_span) == 1);
+  return *std::find_if(described->numbers.begin(), described->numbers.end(), is_span);
+}
 
 void archiveDevice(StateArchive& state, const char* type, void* device, std::size_t size) {
   const DeviceType* const described = findDeviceType(type);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "python/archive_object.hpp"
 #include "python/errors.hpp"
 #include "python/python_lock.hpp"
 #include "python/python_parameters.hpp"
@@ -80,6 +81,11 @@ void PythonController::step(const Space& space, Banks& /*commands*/, Span<const 
       throw std::runtime_error(what);
     }
   }
+}
+
+void PythonController::archive(const Space& /*space*/, Banks& /*commands*/, StateArchive& state) {
+  const PythonLock lock;
+  archiveObject(state, controller_);
 }
 
 }  // namespace swarmanoid::bindings

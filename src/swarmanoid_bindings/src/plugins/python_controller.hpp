@@ -24,6 +24,7 @@ class PythonController final : public GroupController, public HoldsObjects {
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
   /// A Python exception stops the robots. As in `init`, it is kept for the caller of the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
+  void archive(const Space& space, Banks& commands, StateArchive& state) override;
 
   int visitObjects(visitproc visit, void* argument) const override {
     return visitEach(visit, argument, controller_, step_);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "python/archive_object.hpp"
 #include "python/errors.hpp"
 #include "python/python_lock.hpp"
 #include "python/python_parameters.hpp"
@@ -104,6 +105,16 @@ void PythonRobots::releaseObjects() {
   host_ = nullptr;
   parameters_ = {};
   type_ = {};
+}
+
+void PythonRobots::archive(const Space& space, Banks& /*commands*/, StateArchive& state) {
+  const PythonLock lock;
+  for (const Row row : space.entities.order) {
+    const auto found = instances_.find(space.robots[row].get());
+    if (found != instances_.end()) {
+      archiveObject(state, found->second.step);
+    }
+  }
 }
 
 void PythonRobots::step(const Space& space, Banks& /*commands*/, Span<const GroupMember> members) {

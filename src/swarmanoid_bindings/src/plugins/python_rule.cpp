@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "python/archive_object.hpp"
 #include "python/errors.hpp"
 #include "python/python_lock.hpp"
 #include "python/python_parameters.hpp"
@@ -103,6 +104,12 @@ void PythonRule::beforeTick(const Space& space, InterventionQueue& queue) { call
 void PythonRule::afterTick(const Space& space, InterventionQueue& queue) {
   callWith("after_tick", space, queue);
   judge();
+}
+
+void PythonRule::archive(StateArchive& state) {
+  const PythonLock lock;
+  archiveObject(state, rule_);
+  state(is_finished_, success_);
 }
 
 void PythonRule::callWith(const char* hook, const Space& space, InterventionQueue& queue) {

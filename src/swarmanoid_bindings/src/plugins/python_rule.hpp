@@ -29,6 +29,7 @@ class PythonRule final : public Rule, public HoldsObjects {
   void reset(const Space& space, InterventionQueue& queue) override;
   void beforeTick(const Space& space, InterventionQueue& queue) override;
   void afterTick(const Space& space, InterventionQueue& queue) override;
+  void archive(StateArchive& state) override;
   bool isFinished() const override { return is_finished_; }
   std::optional<bool> success() const override { return success_; }
 

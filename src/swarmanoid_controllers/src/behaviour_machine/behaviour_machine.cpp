@@ -47,6 +47,8 @@ class BehaviourMachine final : public Controller {
     act(machine_.state());
   }
 
+  void archive(StateArchive& state) override { state(machine_, turn_steps_, turn_rate_); }
+
  private:
   static Eigen::Vector2d towards(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
 

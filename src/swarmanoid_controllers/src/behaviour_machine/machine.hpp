@@ -59,6 +59,7 @@ class Machine {
   explicit Machine(const Configuration& parameters);
 
   void reset() { current_ = 0; }
+  void archive(StateArchive& state) { state(current_); }
   const MachineState& state() const { return states_[current_]; }
   /// Draws one number for each transition with a probability above 0, until one is taken.
   /// @return whether a transition was taken; it may lead to the same state

@@ -22,6 +22,7 @@
 
 #include "activation.hpp"
 #include "swarmanoid_interface/expects.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 
 namespace swarmanoid::neural {
 
@@ -53,6 +54,7 @@ class RecurrentNetwork {
   const std::vector<double>& states() const { return states_; }
 
   void reset() { states_.assign(states_.size(), 0.0); }
+  void archive(StateArchive& state) { state(states_); }
 
   /// @param dt [s]
   void advance(double dt) {

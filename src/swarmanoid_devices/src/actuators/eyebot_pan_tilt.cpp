@@ -16,6 +16,8 @@ struct PanTiltInstance : BasicActuatorInstance<EyebotPanTilt> {
   double pan_before = 0.0;   // rad
   double tilt_before = 0.0;  // rad
   TickGuard tick;
+
+  void archive(StateArchive& state) { state(pan, tilt, pan_before, tilt_before, tick); }
 };
 
 class EyebotPanTiltActuator final : public ActuatorOf<EyebotPanTilt, PanTiltInstance> {

@@ -19,6 +19,8 @@ struct PositionInstance : BasicActuatorInstance<EyebotPosition> {
   EyebotPilot pilot;   // after the command of that tick
   Pose pose;           // of the robot at the start of that tick
   TickGuard tick;
+
+  void archive(StateArchive& state) { state(before, pilot, pose, tick); }
 };
 
 class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionInstance> {

@@ -19,6 +19,8 @@ template <class Device>
 struct WheelDriveInstance : BasicActuatorInstance<Device> {
   const EntityModel::Wheels* wheels = nullptr;
   WheelTurns turns_before;  // for slipping_wheels.hpp: before the engine moves the robot, rad
+
+  void archive(StateArchive& state) { state(turns_before); }
 };
 
 /// `Drive` derives from this, and converts between its command and the speeds of two wheels:

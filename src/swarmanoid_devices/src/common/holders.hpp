@@ -23,6 +23,13 @@ inline constexpr std::array<const char*, 2> kHandHolders{"left hand", "right han
 template <class Instance, std::size_t count>
 struct WithHolders : Instance {
   std::array<int, count> holders{};
+
+  /// For snapshots: the indices follow from the model.
+  void archive(StateArchive& state) {
+    if constexpr (StateArchive::kIsDefinedBy<Instance>) {
+      Instance::archive(state);
+    }
+  }
 };
 
 template <std::size_t count>

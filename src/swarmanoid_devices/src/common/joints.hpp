@@ -34,6 +34,13 @@ template <class Instance, std::size_t count>
 struct WithJoints : Instance {
   std::shared_ptr<const EntityModel> model;
   std::array<int, count> joints{};
+
+  /// For snapshots: the indices follow from the model.
+  void archive(StateArchive& state) {
+    if constexpr (StateArchive::kIsDefinedBy<Instance>) {
+      Instance::archive(state);
+    }
+  }
 };
 
 template <std::size_t count>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/span.hpp"
+#include "swarmanoid_space/archive_device.hpp"
 
 namespace swarmanoid::devices {
 
@@ -18,6 +19,14 @@ struct SpanReadings : Instance {
   Span<const Element> makeRoom(std::size_t count) {
     buffer.resize(count);
     return buffer;
+  }
+
+  /// For snapshots.
+  void archive(StateArchive& state) {
+    if constexpr (StateArchive::kIsDefinedBy<Instance>) {
+      Instance::archive(state);
+    }
+    archiveSpan(state, *this->readings, buffer);
   }
 };
 

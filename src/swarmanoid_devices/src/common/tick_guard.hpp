@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "swarmanoid_interface/state_archive.hpp"
+
 namespace swarmanoid::devices {
 
 /// State of one instance. Phases: `sense` of a sensor, `actuate` of an actuator. Not thread-safe, like the instance.
@@ -20,6 +22,9 @@ class TickGuard {
 
   /// Whether `begins` has been called; if not, the instance was added after the last tick.
   bool hasBegun() const { return tick_.has_value(); }
+
+  /// For snapshots.
+  void archive(StateArchive& state) { state(tick_); }
 
  private:
   std::optional<std::uint64_t> tick_;

@@ -35,6 +35,8 @@ class AreaCoverage final : public MeasuringRule {
     area_ = &addMetric("area", "m2", "Of the squares that some robot has visited.");
   }
 
+  void archiveOwn(StateArchive& state) override { state(is_visited_, visited_); }
+
   void start(const Space& space) override {
     const Eigen::AlignedBox2d arena(Eigen::Vector2d(space.corner.head<2>()),
                                     Eigen::Vector2d(space.farCorner().head<2>()));

@@ -28,6 +28,8 @@ class Batteries {
   }
 
   void clear() { robots_.clear(); }
+  /// For snapshots.
+  void archive(StateArchive& state) { state(robots_); }
 
   /// Removes deleted robots and adds new ones with a battery.
   void updateMembers(const Space& space) {

@@ -40,6 +40,8 @@ class Charging final : public Rule {
     batteries_.measure(space);
   }
 
+  void archive(StateArchive& state) override { state(batteries_, perches_); }
+
  private:
   struct Perch {
     EntityNumber number = kNoEntity;

@@ -39,6 +39,13 @@ class ContactCount final : public MeasuringRule {
     time_ = &addMetric("time", "s", "Time in contact, in the mean over the robots.");
   }
 
+  void archiveOwn(StateArchive& state) override {
+    state(robots_, has_begun_);
+    if (state.isLoading()) {
+      population_ = {};
+    }
+  }
+
   void start(const Space&) override {
     robots_.clear();
     population_ = {};

@@ -46,6 +46,8 @@ class Dispersion final : public Rule {
         places_.empty() ? 0.0 : static_cast<double>(largestCluster()) / static_cast<double>(places_.size());
   }
 
+  void archive(StateArchive& state) override { state(group_); }
+
  private:
   /// Position of a robot. Clusters are trees of such places, each identified by its root.
   struct Place {

@@ -47,6 +47,8 @@ class DistanceTo final : public MeasuringRule {
     greatest_ = &addMetric("greatest", "m", "Of the robot that is farthest.");
   }
 
+  void archiveOwn(StateArchive& state) override { state(nearest_); }
+
   /// @return nothing if the text is a word
   std::optional<Line> readLine() const {
     const bool is_word = !to_.empty() && std::isalpha(static_cast<unsigned char>(to_.front())) != 0;

@@ -32,6 +32,13 @@ class EnergyUse final : public MeasuringRule {
     per_metre_ = &addMetric("per_metre", "J/m", "Energy used per distance travelled; 0 without motion.");
   }
 
+  void archiveOwn(StateArchive& state) override {
+    state(robots_, way_, has_begun_);
+    if (state.isLoading()) {
+      model_ = nullptr;  // it may be of another world
+    }
+  }
+
   void start(const Space&) override {
     robots_.clear();
     way_ = 0.0;

@@ -56,6 +56,8 @@ class Exchange final : public Rule {
         stations_.begin(), stations_.end(), [](const Station& station) { return station.occupant != kNoEntity; }));
   }
 
+  void archive(StateArchive& state) override { state(batteries_, stations_); }
+
  private:
   struct Station {
     EntityNumber number = kNoEntity;
@@ -63,6 +65,8 @@ class Exchange final : public Rule {
     std::string slot;                   // property of the slot that its battery has gone to
     double time = 0.0;                  // s, duration of the swap so far, while the robot is within reach
     double uncharged = 0.0;             // s, since its batteries were last charged
+
+    void archive(StateArchive& state) { state(number, occupant, slot, time, uncharged); }
   };
 
   static constexpr double kRounding = 1e-9;  // s

@@ -44,6 +44,8 @@ class Flock final : public Rule {
     }
   }
 
+  void archive(StateArchive& state) override { state(group_, ticks_, first_, first_centre_, last_, last_centre_); }
+
  private:
   /// Sets order and spread; 0 without robots.
   void measure(const Space& space, const std::optional<Eigen::Vector2d>& centre) {

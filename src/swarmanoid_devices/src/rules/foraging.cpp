@@ -85,6 +85,8 @@ class Foraging final : public Rule {
   bool isFinished() const override { return tally_.isEnough(); }
   std::optional<bool> success() const override { return tally_.success(); }
 
+  void archive(StateArchive& state) override { state(waiting_, robots_, used_by_deleted_); }
+
  private:
   /// A counted prey that has not been moved yet, since no free place was found.
   struct Waiting {

@@ -35,6 +35,11 @@ class MeasuringRule : public Rule {
     }
   }
 
+  void archive(StateArchive& state) final {
+    state(group_);
+    archiveOwn(state);
+  }
+
  protected:
   /// Parameters of such a rule: the common ones around its own.
   static std::vector<Parameter> withParameters(std::vector<Parameter> own) {
@@ -51,6 +56,9 @@ class MeasuringRule : public Rule {
   /// Sets the metrics from the current state of the world.
   /// @param is_changed robots were added or deleted since the last measurement, or this is the first one with robots
   virtual void measure(const Space& space, bool is_changed) = 0;
+
+  /// Rule::archive, without the group of robots.
+  virtual void archiveOwn(StateArchive& state) = 0;
 
   /// The robots in this measurement.
   const RobotGroup& group() const { return group_; }

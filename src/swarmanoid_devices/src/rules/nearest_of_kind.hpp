@@ -39,6 +39,14 @@ class NearestOfKind {
     return squares_;
   }
 
+  /// For snapshots.
+  void archive(StateArchive& state) {
+    state(reach_);
+    if (state.isLoading()) {
+      population_ = {};
+    }
+  }
+
  private:
   void updateTargets(const Space& space) {
     targets_.clear();

@@ -71,6 +71,8 @@ class PathFormation final : public Rule {
   bool isFinished() const override { return ends_ && is_formed_; }
   std::optional<bool> success() const override { return ends_ ? std::optional<bool>(is_formed_) : std::nullopt; }
 
+  void archive(StateArchive& state) override { state(is_formed_); }
+
  private:
   bool areInReach(const Space& space, Row one, Row other) const {
     const Eigen::Vector3d way = space.entities.pose[one].position - space.entities.pose[other].position;

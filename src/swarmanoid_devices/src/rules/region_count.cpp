@@ -53,6 +53,13 @@ class RegionCount final : public MeasuringRule {
     most_ = &addMetric("most", "", "The greatest of them.");
   }
 
+  void archiveOwn(StateArchive& state) override {
+    state(measurements_);
+    if (state.isLoading()) {
+      population_ = {};
+    }
+  }
+
   void start(const Space&) override {
     population_ = {};
     measurements_ = 0.0;

@@ -31,6 +31,8 @@ class RobotClusters final : public MeasuringRule {
     largest_ = &addMetric("largest", "", "Robots in the largest cluster.");
   }
 
+  void archiveOwn(StateArchive& /*state*/) override {}
+
   /// All metrics are 0 without robots.
   void measure(const Space& space, bool) override {
     parents_.resize(group().rows().size());

@@ -62,6 +62,14 @@ class RobotGroup {
     numbers_.clear();
   }
 
+  /// For snapshots: the next call of `look` finds the rows again, and notices the same changes.
+  void archive(StateArchive& state) {
+    state(numbers_);
+    if (state.isLoading()) {
+      population_ = {};
+    }
+  }
+
   /// Rows of the robots by entity number, as of the last call of `look`.
   const std::vector<Row>& rows() const { return rows_; }
 

@@ -36,6 +36,8 @@ class SquareDisplacement final : public MeasuringRule {
     diffusivity_ = &addMetric("diffusivity", "m2/s", "Sum of the squares by four times the sum of the robots' times.");
   }
 
+  void archiveOwn(StateArchive& state) override { state(beginnings_); }
+
   void start(const Space&) override { beginnings_.clear(); }
 
   /// All metrics are 0 without robots.

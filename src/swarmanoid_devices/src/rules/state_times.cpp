@@ -45,6 +45,8 @@ class StateTimes final : public MeasuringRule {
     other_ = &addMetric(kOther, "s", "Time in other states, or without a state.");
   }
 
+  void archiveOwn(StateArchive& state) override { state(has_begun_); }
+
   void start(const Space&) override {
     if (states_.empty()) {
       throw ConfigError(location_, "states: found '', allowed: names, separated by commas");

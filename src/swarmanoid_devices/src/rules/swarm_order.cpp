@@ -29,6 +29,8 @@ class SwarmOrder final : public MeasuringRule {
     angular_order_ = &addMetric("angular_order", "", "How far they head around their centroid, in the mean.");
   }
 
+  void archiveOwn(StateArchive& /*state*/) override {}
+
   /// All metrics are 0 without robots.
   void measure(const Space& space, bool) override {
     const Eigen::Vector2d centroid = group().centroid(space).value_or(Eigen::Vector2d::Zero());

@@ -70,6 +70,8 @@ class SwitchingLamp final : public Rule {
     distance_->value = lamp == kNoRow ? 0.0 : meanDistance(space, space.entities.pose[lamp].position);
   }
 
+  void archive(StateArchive& state) override { state(was_first_lit_, sum_before_switch_); }
+
  private:
   /// @param elapsed since the run began
   bool isFirstLit(Duration elapsed) const { return elapsed % period_ < lit_for_; }

@@ -43,6 +43,8 @@ class Taxis final : public Rule {
     }
   }
 
+  void archive(StateArchive& state) override { state(group_, distance_at_first_); }
+
  private:
   /// Without robots the metrics keep their values.
   void measure(const Space& space, Row target) {

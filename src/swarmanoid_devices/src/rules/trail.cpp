@@ -58,6 +58,8 @@ class Trail final : public Rule {
     }
   }
 
+  void archive(StateArchive& /*state*/) override {}
+
  private:
   bool shows(Span<const Color> leds) const { return std::find(leds.begin(), leds.end(), led_color_) != leds.end(); }
 

@@ -66,6 +66,8 @@ class Trips final : public Rule {
   bool isFinished() const override { return tally_.isEnough(); }
   std::optional<bool> success() const override { return tally_.success(); }
 
+  void archive(StateArchive& state) override { state(group_, last_); }
+
  private:
   static constexpr std::size_t kFrom = 0;  // index of the side `from`
 

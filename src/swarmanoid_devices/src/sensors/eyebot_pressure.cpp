@@ -8,6 +8,8 @@ namespace {
 
 struct PressureInstance : BasicSensorInstance<EyebotPressure> {
   double start_height = 0.0;  // [m]
+
+  void archive(StateArchive& state) { state(start_height); }
 };
 
 class EyebotPressureSensor final : public SensorOf<EyebotPressure, PressureInstance> {

@@ -13,6 +13,8 @@ namespace {
 struct CupsInstance : BasicSensorInstance<HandbotVacuum> {
   std::size_t count = 0;  // of each hand
   std::array<std::array<Mount, HandbotVacuum::kMostCups>, 2> cups;
+
+  void archive(StateArchive& /*state*/) {}
 };
 
 class HandbotVacuumSensor final : public HolderSensor<HandbotVacuumSensor, HandbotVacuum, 2, CupsInstance> {

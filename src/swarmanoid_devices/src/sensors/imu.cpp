@@ -12,6 +12,8 @@ struct ImuInstance : BasicSensorInstance<Imu> {
   Imu::Motion before;  // at the end of the tick before the last sensed one
   Imu::Motion last;    // at the end of the last sensed tick
   TickGuard tick;
+
+  void archive(StateArchive& state) { state(before, last, tick); }
 };
 
 class ImuSensor final : public SensorOf<Imu, ImuInstance> {

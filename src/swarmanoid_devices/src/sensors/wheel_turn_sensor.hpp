@@ -19,6 +19,11 @@ struct WheelTurnInstance : BasicSensorInstance<Device> {
   WheelTurns counted;  // turned since then [rad]
   Device state;        // readings without errors
   TickGuard tick;
+
+  void archive(StateArchive& saved) {
+    saved(start, counted, tick);
+    archiveDevice(saved, state);
+  }
 };
 
 /// `Counter` derives from this, and computes its readings from the wheel turns of a tick:

@@ -62,6 +62,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void readMirrors(const Space& space) override;
   void move(const Space& space, const MoveAccess& access, Duration dt) override;
   void connect(const Space& space, const ConnectAccess& access) override;
+  void archive(const Space& space, StateArchive& state) override;
   void draw(EngineDrawing& drawing) const override;
   double gravity() const override { return material_.gravity; }
 

@@ -96,6 +96,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   bool mayHit(const RayBundle& rays) const override;
   void findObstacles(const RayBundle& rays, Obstacles& found) const override;
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
+  void archive(const Space& space, StateArchive& state) override;
   void draw(EngineDrawing& drawing) const override;
 
  private:

@@ -86,6 +86,15 @@ class Bodies {
   void clear();
   /// Copies the entity's pose and joints from the space. @return whether its shapes changed
   bool place(const Space& space, BodyIndex index);
+  /// Saves or loads poses, shapes and turrets, for snapshots. @pre when it loads, the bodies are those of the same
+  /// entities; their indices may differ
+  void archive(StateArchive& state);
+  /// Saves or loads the index of a body, or kNoBody.
+  void archiveIndex(StateArchive& state, BodyIndex& index) const {
+    Row row = index == kNoBody ? kNoRow : (*this)[index].row;
+    state(row);
+    index = find(row);
+  }
   void setPose(BodyIndex index, const PlacedPose& pose);
   /// As setPose, without updating the grid: bodies for which isInOtherCell then holds need `refreshCell` before the
   /// next query of neighbours. Threads: may run concurrently for different bodies. @pre the body is not large
@@ -192,6 +201,7 @@ class Bodies {
   bool haveJointsTurned(const Space& space, BodyIndex index) const;
   OwnProjection& ownProjection(BodyIndex index);
   void takeProjection(BodyIndex index);
+  void archiveProjection(StateArchive& state, BodyIndex index);
   /// For walls, which do not move.
   Eigen::AlignedBox2d boundsOf(const Body& body);
 

@@ -19,6 +19,7 @@
 
 #include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_interface/range.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 
 namespace swarmanoid {
 
@@ -29,6 +30,8 @@ struct SourceLocation {
 
   /// "file:line", "file", or "".
   std::string toString() const;
+
+  void archive(StateArchive& state) { state(file, line); }
 };
 
 /// A mistake of the user: "file:line: found ..., allowed: ..."; the location is omitted if the value is in no file.
@@ -82,6 +85,8 @@ class Configuration {
   /// @throws ConfigError for the first child that no reader has read, with the nearest name among `known`, or for one
   /// that occurs twice
   void refuseUnread(const std::vector<std::string>& known = {}) const;
+
+  void archive(StateArchive& state) { state(name_, text_, location_, children_, read_); }
 
  private:
   const Configuration* firstOf(std::string_view key) const;

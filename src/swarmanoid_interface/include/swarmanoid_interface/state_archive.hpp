@@ -8,16 +8,14 @@
 /// It names every member that changes after the object was made and that later results depend on. Members that follow
 /// from the configuration, references to devices, and memory that each tick fills anew are left out.
 ///
-/// Values   numbers, truth values, enumerations, texts, times, matrices and quaternions of Eigen, structs of these that
-///          are trivially copyable, containers of the standard library, and classes that have such a function
-///          themselves. A struct that is copied as a whole must have no pointers.
+/// Values   numbers, truth values, enumerations, texts, times, matrices of fixed size, structs of numbers and such
+///          matrices, containers of the standard library, and classes that have such a function themselves. Structs
+///          without the function are copied as bytes: they must have no pointers.
 /// Bytes    those of this process and this machine; not a format of files.
 /// Errors   `refuse` throws a StateNotDefined; loading more than was saved throws a std::runtime_error.
 /// Threads  one for each object.
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -94,17 +92,12 @@ class StateArchive {
     static_assert(!std::is_const_v<Value>, "a constant is not state");
     if constexpr (HasArchive<Value>::value) {
       value.archive(*this);
-    } else if constexpr (std::is_base_of_v<Eigen::PlainObjectBase<Value>, Value>) {
-      static_assert(Value::SizeAtCompileTime != Eigen::Dynamic, "only matrices of fixed size");
-      bytes(value.data(), sizeof(typename Value::Scalar) * Value::SizeAtCompileTime);
     } else {
-      static_assert(std::is_trivially_copyable_v<Value>, "the class needs a function archive(StateArchive&)");
+      // matrices of Eigen can be copied as bytes, although they have constructors
+      static_assert(std::is_trivially_destructible_v<Value> && !std::is_polymorphic_v<Value>,
+                    "the class needs a function archive(StateArchive&)");
       bytes(&value, sizeof(value));
     }
-  }
-  template <class Scalar>
-  void value(Eigen::Quaternion<Scalar>& value) {
-    (*this)(value.coeffs());
   }
   void value(std::string& text) {
     size(text);
@@ -179,7 +172,8 @@ class StateArchive {
   template <class Container>
   void each(Container& container) {
     using Value = typename Container::value_type;
-    if constexpr ((std::is_arithmetic_v<Value> || std::is_same_v<Value, std::byte>)&& !std::is_same_v<Container, std::deque<Value>>) {
+    if constexpr ((std::is_arithmetic_v<Value> ||
+                   std::is_same_v<Value, std::byte>)&&!std::is_same_v<Container, std::deque<Value>>) {
       bytes(container.data(), container.size() * sizeof(Value));
     } else {
       for (Value& one : container) {

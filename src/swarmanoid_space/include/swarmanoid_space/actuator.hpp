@@ -60,10 +60,10 @@ class Actuator {
   virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
   /// Between ticks: later random draws use another seed.
   virtual void reseed(std::uint64_t seed) = 0;
-  /// Saves or loads the state of all instances (state_archive.hpp), for snapshots of a run. When it loads, the actuator
-  /// has instances for the same robots, with the same faults. An instance that adds members has a function `archive`
-  /// for those that last from tick to tick, as instances of sensors.
-  virtual void archive(StateArchive& state) = 0;
+  /// Saves or loads the state of all instances, with their faults (state_archive.hpp), for snapshots of a run. When it
+  /// loads, the actuator has instances for the same robots. An instance that adds members has a function `archive` for
+  /// those that last from tick to tick, as instances of sensors.
+  virtual void archive(const Space& space, StateArchive& state) = 0;
 
   /// Turns commands into actuation. Adds the rows of commands with a number that is not finite to `faulty`; their
   /// actuation keeps its previous value.
@@ -174,8 +174,9 @@ class ActuatorOf : public Actuator {
     }
   }
 
-  void archive(StateArchive& state) override {
+  void archive(const Space& space, StateArchive& state) override {
     for (std::size_t k = 0; k < instances_.size(); ++k) {
+      archiveFaults(space, *this, instances_[k], state);
       Instance& instance = instances_[k];
       state(instance.random);
       archiveDevice(state, *instance.command);

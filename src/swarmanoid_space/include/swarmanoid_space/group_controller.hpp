@@ -44,8 +44,9 @@ class GroupController {
   /// @param members by entity number: robots commanded by their controller that have not failed. May be empty.
   virtual void step(const Space& space, Banks& commands, Span<const GroupMember> members) = 0;
 
-  /// As Controller::archive, for all robots. Loads into an object whose robots were started in the same order.
-  virtual void archive(StateArchive& state) { state.refuse(); }
+  /// As Controller::archive, for all robots. When it loads, the space has its state already, and all robots have been
+  /// started. @param commands Space::commands
+  virtual void archive(const Space& /*space*/, Banks& /*commands*/, StateArchive& state) { state.refuse(); }
 };
 
 }  // namespace swarmanoid

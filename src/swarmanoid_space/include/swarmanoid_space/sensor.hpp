@@ -1,7 +1,8 @@
 /// The base classes of simulated sensors. One object serves all robots of one controller configuration: it reads the
 /// space and fills their readings, the structs of swarmanoid_interface/devices.
 ///
-/// Phases   configure, add, remove, setFaults, archive: between ticks. prepare, then sense: the phase of this name, with const
+/// Phases   configure, add, remove, setFaults, archive: between ticks. prepare, then sense: the phase of this name,
+/// with const
 ///          access to the space. draw: in `show` or between ticks, if a viewer is active.
 /// Threads  sense is called concurrently on disjoint ranges of instances. No allocation, lock, log or throw in it.
 /// Noise    drawn from the instance's own stream, so it does not depend on other instances.
@@ -61,9 +62,9 @@ class Sensor {
   virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
   /// Between ticks: later random draws use another seed.
   virtual void reseed(std::uint64_t seed) = 0;
-  /// Saves or loads the state of all instances (state_archive.hpp), for snapshots of a run. When it loads, the sensor
-  /// has instances for the same robots, with the same faults.
-  virtual void archive(StateArchive& state) = 0;
+  /// Saves or loads the state of all instances, with their faults (state_archive.hpp), for snapshots of a run. When it
+  /// loads, the sensor has instances for the same robots.
+  virtual void archive(const Space& space, StateArchive& state) = 0;
 
   virtual std::size_t instanceCount() const = 0;
   /// Called on one thread before the ranges are sensed; computes data that all instances share.
@@ -197,19 +198,22 @@ class SensorOf : public Sensor {
     }
   }
 
-  void archive(StateArchive& state) override {
+  void archive(const Space& space, StateArchive& state) override {
     for (std::size_t k = 0; k < instances_.size(); ++k) {
+      archiveFaults(space, *this, instances_[k], state);
       Instance& instance = instances_[k];
       state(instance.random);
       archiveDevice(state, *instance.readings);
       archiveOwnMembers<BasicSensorInstance<Device>>(state, instance);
       if (!errors_.isEmpty()) {
-        archiveDevice(state, *disturbed_[k].delivered);
+        archiveDelivered(state, *instance.readings, *disturbed_[k].delivered);
         state(disturbed_[k].errors);
+        errors_.pointSpans(disturbed_[k].delivered, disturbed_[k].errors);
       }
       if (instance.fault != nullptr) {
-        archiveDevice(state, *instance.fault->delivered);
+        archiveDelivered(state, *instance.readings, *instance.fault->delivered);
         state(instance.fault->errors);
+        instance.fault->errors.pointSpans(instance.fault->delivered);
       }
     }
   }
@@ -277,6 +281,14 @@ class SensorOf : public Sensor {
     Device* delivered;
     ErrorState errors;
   };
+
+  /// Saves or loads what controllers read. Spans without errors are those of the readings.
+  static void archiveDelivered(StateArchive& state, const Device& readings, Device& delivered) {
+    if (state.isLoading()) {
+      delivered = readings;
+    }
+    archiveDevice(state, delivered);
+  }
 
   void chooseDelivery() { delivers_ = !errors_.isEmpty() || fault_count_ > 0; }
 

@@ -52,6 +52,8 @@ struct ControllerState {
   std::uint32_t starts = 0;                            ///< number of its starts, here or in another process
   StepStatus status =
       StepStatus::kNothing;  ///< kNothing: not called, or late; the commands are those of an earlier tick
+
+  void archive(StateArchive& state) { state(starts, status); }
 };
 
 /// Visits the name of the engine that moves an entity. It is part of the state hash, so two runs that differ only in

@@ -17,6 +17,10 @@ struct Membership {
   bool is_listed = true;  ///< in the file or the spawn request; otherwise it lasts while the engine moves the entity
 };
 
+/// Memberships contain pointers to engines.
+template <>
+struct IsKeptApart<std::vector<Membership>> : std::true_type {};
+
 /// A request to add an entity to an engine.
 struct Claim {
   std::string engine;

@@ -1,4 +1,7 @@
 // Changes parameters of engines during a run.
+#include <memory>
+#include <utility>
+
 #include "../world/engines.hpp"
 #include "carry_out.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
@@ -58,7 +61,7 @@ bool carryOut(World& world, const SetEngineParameters& intervention) {
   const std::string& engine = intervention.engine;
   const std::size_t index = engineIndex(world, engine);
   const EngineDescription& description = world.experiment.engines[index];
-  Configuration parameters = world.engine_parameters[index];
+  Configuration parameters = parametersOf(world, index);
   std::vector<Event> events;
   for (const auto& [name, value] : intervention.values) {
     const Parameter& parameter = requireLive(description, name);
@@ -73,7 +76,7 @@ bool carryOut(World& world, const SetEngineParameters& intervention) {
   if (events.empty()) {
     return false;
   }
-  reconfigureEngine(world, index, std::move(parameters));
+  reconfigureEngine(world, index, std::make_shared<const Configuration>(std::move(parameters)));
   world.pending_events.insert(world.pending_events.end(), events.begin(), events.end());
   return true;
 }

@@ -31,7 +31,7 @@ const Space& Simulation::space() const { return world_->space; }
 const std::vector<ControllerFailure>& Simulation::failures() const { return world_->failures; }
 
 const Configuration& Simulation::engineParameters(const std::string& engine) const {
-  return world_->engine_parameters[engineIndex(*world_, engine)];
+  return parametersOf(*world_, engineIndex(*world_, engine));
 }
 
 std::vector<EngineReport> Simulation::engineReports() const { return reportEngines(*world_); }

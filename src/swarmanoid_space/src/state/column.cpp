@@ -26,6 +26,12 @@ void Columns::reset(Row row, const EntityModel* model) {
   }
 }
 
+void Columns::archive(StateArchive& state) {
+  for (ColumnBase* column : columns_) {
+    column->archive(state);
+  }
+}
+
 void Columns::visit(StateVisitor& visitor, const CellOwner& owner) const {
   for (const ColumnBase* column : columns_) {
     const Visits visits = column->info().visits;

@@ -42,8 +42,14 @@ Row Entities::add(const std::string& entity_name, std::shared_ptr<const EntityMo
     row = holes_.back();
     holes_.pop_back();
   }
+  addAt(row, EntityNumber{++last_number_}, entity_name, std::move(entity_model), entity_pose, entity_color);
+  return row;
+}
+
+void Entities::addAt(Row row, EntityNumber own_number, const std::string& entity_name,
+                     std::shared_ptr<const EntityModel> entity_model, const Pose& entity_pose, Color entity_color) {
   columns.reset(row, entity_model.get());
-  number[row] = EntityNumber{++last_number_};
+  number[row] = own_number;
   name[row] = entity_name;
   model[row] = std::move(entity_model);
   pose[row] = entity_pose;
@@ -51,7 +57,6 @@ Row Entities::add(const std::string& entity_name, std::shared_ptr<const EntityMo
   first_color[row] = entity_color;
   order.push_back(row);  // entity numbers only grow
   row_by_name_[entity_name] = row;
-  return row;
 }
 
 void Entities::remove(Row row) {

@@ -129,6 +129,18 @@ void PaintLayer::paint(const PaintDisc& disc, std::uint64_t tick) {
   }
 }
 
+void PaintLayer::archive(StateArchive& state) {
+  if (state.isLoading()) {
+    for (const std::uint32_t index : painted_) {
+      cells_[index] = Cell{};
+    }
+  }
+  state(painted_, digest_);
+  for (const std::uint32_t index : painted_) {
+    state(cells_.at(index));
+  }
+}
+
 void PaintLayer::paintCell(std::size_t index, const PaintDisc& disc, std::uint64_t tick) {
   const auto digestOf = [index](const Cell& cell) {
     std::array<std::uint64_t, 3> words{index, cell.tick, 0};

@@ -89,6 +89,8 @@ void giveController(World& world, const ControllerDescription& description, Cont
   }
 }
 
+}  // namespace
+
 void buildControllerGroups(World& world) {
   for (const ControllerDescription& description : world.experiment.controllers) {
     auto group = std::make_unique<ControllerGroup>();
@@ -104,6 +106,8 @@ void buildControllerGroups(World& world) {
     world.assembly.groups.push_back(std::move(group));
   }
 }
+
+namespace {
 
 void buildBoundary(World& world) {
   if (!world.experiment.arena.bounded) {
@@ -187,7 +191,7 @@ void buildEngines(World& world) {
     }
     world.assembly.engines.back()->prepare({world.experiment.arena.terrain, &world.assembly.workers});
     world.space.engines.push_back(world.assembly.engines.back().get());
-    world.engine_parameters.push_back(description.parameters);
+    world.engine_parameters.emplace_back();
   }
 }
 

@@ -11,6 +11,9 @@ void buildEngines(World& world);
 /// Builds everything in the space, with robots and their controllers. @pre the engines are built @throws ConfigError
 void build(World& world);
 
+/// Builds the controller groups with their devices, without robots. Part of `build`. @throws ConfigError
+void buildControllerGroups(World& world);
+
 /// Builds the rules, once per world, after the engines. @throws ConfigError
 void buildRules(World& world);
 

@@ -18,15 +18,22 @@ std::size_t engineIndex(const World& world, const std::string& id) {
   throw ConfigError({}, "engine '" + id + "' does not exist; there are: " + joinNames(known) + didYouMean(id, known));
 }
 
-void reconfigureEngine(World& world, std::size_t index, Configuration parameters) {
+const Configuration& parametersOf(const World& world, std::size_t index) {
+  const auto& changed = world.engine_parameters[index];
+  return changed == nullptr ? world.experiment.engines[index].parameters : *changed;
+}
+
+void reconfigureEngine(World& world, std::size_t index, std::shared_ptr<const Configuration> parameters) {
   const Named<Engine>& engine = world.assembly.engines[index];
-  callPlugin("reconfigure", engine.part, UserCode::kNoTick, [&] { engine->reconfigure(parameters); });
+  callPlugin("reconfigure", engine.part, UserCode::kNoTick, [&] {
+    engine->reconfigure(parameters == nullptr ? world.experiment.engines[index].parameters : *parameters);
+  });
   world.engine_parameters[index] = std::move(parameters);
 }
 
 void restoreEngineParameters(World& world) {
   for (std::size_t i = 0; i < world.engine_parameters.size(); ++i) {
-    reconfigureEngine(world, i, world.experiment.engines[i].parameters);
+    reconfigureEngine(world, i, nullptr);
   }
 }
 

@@ -82,36 +82,41 @@ void refuseUnsupported(const World& world, const EntityDescription& entity, cons
   }
 }
 
+/// Gives a new entity its battery, its devices and controller, and its place in engines.
+void furnish(World& world, Row row, const EntityDescription& entity, const std::vector<Membership>& memberships) {
+  world.space.placed[row] = world.space.tick;
+  if (world.space.entities.model[row]->battery) {
+    giveBattery(world, row, entity);
+  }
+  if (!entity.controller.empty()) {
+    giveController(world, row, entity);
+  }
+  // set first, because engines treat a mirror differently depending on whether an engine moves the entity
+  for (const Membership& membership : memberships) {
+    if (membership.role == Role::kMove) {
+      world.space.mover[row] = membership.engine;
+    }
+  }
+  for (const Membership& membership : memberships) {
+    callPlugin("add", partOf(world.assembly.engines, *membership.engine), UserCode::kNoTick,
+               [&] { membership.engine->add(world.space, row, membership.role); });
+    world.assembly.memberships[row].push_back(membership);
+  }
+  if (memberships.empty()) {
+    world.space.entities_without_engine.place(world.space.entities, row);
+  }
+}
+
 /// Adds an entity after all checks. @throws ConfigError if its controller does not start; then nothing has changed
 Row add(World& world, const EntityDescription& entity, const std::shared_ptr<const EntityModel>& model,
         const std::vector<Membership>& memberships) {
   const Row row = world.space.entities.add(entity.id, model, poseOf(entity), entity.color);
-  world.space.placed[row] = world.space.tick;
-  if (model->battery) {
-    giveBattery(world, row, entity);
-  }
   try {
-    if (!entity.controller.empty()) {
-      giveController(world, row, entity);
-    }
-    // set first, because engines treat a mirror differently depending on whether an engine moves the entity
-    for (const Membership& membership : memberships) {
-      if (membership.role == Role::kMove) {
-        world.space.mover[row] = membership.engine;
-      }
-    }
-    for (const Membership& membership : memberships) {
-      callPlugin("add", partOf(world.assembly.engines, *membership.engine), UserCode::kNoTick,
-                 [&] { membership.engine->add(world.space, row, membership.role); });
-      world.assembly.memberships[row].push_back(membership);
-    }
+    furnish(world, row, entity, memberships);
   } catch (...) {
     removeEntity(world, row);
     world.space.entities.giveBackLastNumber();  // state hashes of later entities depend on their numbers
     throw;
-  }
-  if (memberships.empty()) {
-    world.space.entities_without_engine.place(world.space.entities, row);
   }
   return row;
 }
@@ -150,6 +155,13 @@ Row addFreeEntity(World& world, const EntityDescription& entity, const std::shar
     refuseUnsupported(world, entity, *model, poseOf(entity), memberships, membership);
   }
   return add(world, entity, model, memberships);
+}
+
+void addEntityAt(World& world, Row row, EntityNumber number, const EntityDescription& entity,
+                 const std::shared_ptr<const EntityModel>& model, const Pose& pose,
+                 const std::vector<Membership>& memberships) {
+  world.space.entities.addAt(row, number, entity.id, model, pose, entity.color);
+  furnish(world, row, entity, memberships);
 }
 
 void destroyController(World& world, RobotInstance& instance) {

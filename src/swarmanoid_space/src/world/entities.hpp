@@ -20,6 +20,12 @@ Row addEntity(World& world, const EntityDescription& entity, const std::vector<M
 Row addFreeEntity(World& world, const EntityDescription& entity, const std::shared_ptr<const EntityModel>& model,
                   const std::vector<Membership>& memberships);
 
+/// As addFreeEntity, with a row, a number and an exact pose of its own, for snapshots. @pre as of Entities::addAt; the
+/// entity was in a world like this one
+void addEntityAt(World& world, Row row, EntityNumber number, const EntityDescription& entity,
+                 const std::shared_ptr<const EntityModel>& model, const Pose& pose,
+                 const std::vector<Membership>& memberships);
+
 std::shared_ptr<const EntityModel> modelOf(const EntityDescription& entity);
 inline Pose poseOf(const EntityDescription& entity) { return {entity.position, orientationFromAngles(entity.angles)}; }
 

@@ -3,6 +3,7 @@
 /// Threads  see Simulation.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,9 +29,10 @@ struct World {
   RunContext context;
   SuppliedParts supplied;
   Space space;
-  Assembly assembly;                                     ///< engines, robots, rules, observers
-  Lockstep lockstep;                                     ///< commands from other processes
-  std::vector<Configuration> engine_parameters;          ///< present values, in the order of Space::engines
+  Assembly assembly;  ///< engines, robots, rules, observers
+  Lockstep lockstep;  ///< commands from other processes
+  /// Parameters of engines that were changed during the run, in the order of Space::engines; null: those of the file.
+  std::vector<std::shared_ptr<const Configuration>> engine_parameters;
   std::vector<Event> pending_events;                     ///< of the next tick
   std::vector<TakenIntervention> pending_interventions;  ///< of the next tick
   InterventionQueue queue;                               ///< requests of rules

@@ -13,11 +13,30 @@ void Agents::start(const Space& space, Banks& commands, Row row, Robot& robot) {
     }
     slot = slots_.emplace(slots_.end());
   }
-  slot->number = space.entities.number[row];
-  slot->row = row;
-  slot->robot = &robot;
-  observed_.find(space.readings, row, slot->sensors);
-  commanded_.find(commands, row, slot->actuators);
+  give(space, commands, row, *slot);
+}
+
+void Agents::give(const Space& space, Banks& commands, Row row, Slot& slot) const {
+  slot.number = space.entities.number[row];
+  slot.row = row;
+  slot.robot = space.robots[row].get();
+  observed_.find(space.readings, row, slot.sensors);
+  commanded_.find(commands, row, slot.actuators);
+}
+
+void Agents::archive(const Space& space, Banks& commands, StateArchive& state) {
+  std::size_t count = slots_.size();
+  state(count);
+  slots_.resize(count);
+  for (Slot& slot : slots_) {
+    const EntityNumber before = slot.number;
+    state(slot.number, slot.row, slot.is_stepped);
+    if (state.isLoading() && remains(space, slot)) {
+      give(space, commands, slot.row, slot);
+    } else if (slot.number != before) {
+      slot.robot = nullptr;  // of a robot that is gone
+    }
+  }
 }
 
 /// Members and slots are in the same order as a rule, so the search from the slot of the last member is short.

@@ -23,6 +23,8 @@ class Agents final : public GroupController {
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
 
+  void archive(const Space& space, Banks& commands, StateArchive& state) override;
+
   std::size_t slotCount() const { return slots_.size(); }
   /// @param most number of slots from now on; robots beyond them are no agents
   void limitSlots(std::size_t most) { most_ = most; }
@@ -57,6 +59,8 @@ class Agents final : public GroupController {
     return slot.number != kNoEntity && toIndex(slot.row) < space.entities.rowCount() &&
            space.entities.number[slot.row] == slot.number;
   }
+  /// Gives a slot the robot of a row. @throws ConfigError if it lacks a device
+  void give(const Space& space, Banks& commands, Row row, Slot& slot) const;
   /// Returns the slot of a robot, or the end. @param from where the search begins
   std::vector<Slot>::iterator slotOf(const Robot* robot, std::vector<Slot>::iterator from);
 

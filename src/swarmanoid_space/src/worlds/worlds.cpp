@@ -74,6 +74,7 @@ struct Worlds::State {
   void add(std::size_t index, Experiment experiment);
   /// Starts the run of a world anew, and observes it.
   void restart(std::size_t index, std::uint64_t seed);
+  void restore(std::size_t index, const Snapshot& snapshot);
   void observe(std::size_t index);
   void judge(std::size_t index);
   void clearRewards(std::size_t index) { std::fill_n(&rewards[index * slots], slots, 0.0F); }
@@ -179,6 +180,15 @@ void Worlds::State::restart(std::size_t index, std::uint64_t seed) {
   observe(index);
 }
 
+void Worlds::State::restore(std::size_t index, const Snapshot& snapshot) {
+  OneWorld& world = worlds[index];
+  world.seed = snapshot.seed();
+  world.agents->setActions(nullptr);
+  world.simulation->restore(snapshot);
+  world.metric = options.reward.empty() ? 0.0 : metricOf(*world.simulation, options.reward);
+  observe(index);
+}
+
 void Worlds::State::observe(std::size_t index) {
   OneWorld& world = worlds[index];
   world.simulation->sense();
@@ -252,6 +262,20 @@ void Worlds::reset(const std::uint8_t* chosen, const std::uint64_t* seeds) {
     if (chosen == nullptr || chosen[i] != 0) {
       state_->clearRewards(i);
       state_->restart(i, seeds == nullptr ? state_->worlds[i].seed + count() : seeds[i]);
+      state_->judge(i);
+    }
+  });
+}
+
+std::shared_ptr<const Snapshot> Worlds::snapshot(std::size_t world) const {
+  return state_->worlds.at(world).simulation->snapshot();
+}
+
+void Worlds::restore(const Snapshot& snapshot, const std::uint8_t* chosen) {
+  state_->forAll([&](std::size_t i) {
+    if (chosen == nullptr || chosen[i] != 0) {
+      state_->clearRewards(i);
+      state_->restore(i, snapshot);
       state_->judge(i);
     }
   });

@@ -8,6 +8,8 @@ namespace {
 
 struct WriterInstance : BasicActuatorInstance<RfidWriter> {
   Transmitter antenna;
+
+  void archive(StateArchive& /*state*/) {}
 };
 
 class RfidWriterActuator final : public ActuatorOf<RfidWriter, WriterInstance> {

@@ -28,6 +28,11 @@ struct CameraInstance : BasicSensorInstance<Camera> {
   std::vector<ColorBlob> buffer;
   Mount mount;
   OverflowNote overflow;
+
+  void archive(StateArchive& state) {
+    archiveSpan(state, *this->readings, buffer);
+    state(overflow);
+  }
 };
 
 /// @tparam View a FieldOfView

@@ -11,6 +11,8 @@ namespace {
 struct FloorColorInstance : BasicSensorInstance<FloorColor> {
   Eigen::Vector3d spot = Eigen::Vector3d(0.0, 0.0, FloorColor::kHeight);  // in the body frame, m
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();                  // in the body frame, of length 1
+
+  void archive(StateArchive& /*state*/) {}
 };
 
 class FloorColorSensor final : public SensorOf<FloorColor, FloorColorInstance> {

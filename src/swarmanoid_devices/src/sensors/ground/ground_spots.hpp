@@ -36,6 +36,8 @@ static_assert(Ground::kMostSpots == kMostRingSensors);
 template <class Device, int count>
 struct GroundInstance : BasicSensorInstance<Device> {
   std::shared_ptr<const RingGeometry<count>> ring;
+
+  void archive(StateArchive& /*state*/) {}
 };
 
 /// `Spots` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, the reading of a spot. Spots at

@@ -41,6 +41,11 @@ struct MessageReceiverInstance : SpanReadings<BasicSensorInstance<Received>, typ
   OverflowNote overflow;
   double reach = 1.0;  ///< on a shared channel: search distance of the last tick, with which the next one starts [m]
   std::vector<EntityNumber> senders;  // of the messages of this tick, for drawing
+
+  void archive(StateArchive& state) {
+    SpanReadings<BasicSensorInstance<Received>, typename Received::Message>::archive(state);
+    state(overflow, reach, senders);
+  }
 };
 
 /// @tparam Received struct of the readings @tparam Command of the senders' actuators

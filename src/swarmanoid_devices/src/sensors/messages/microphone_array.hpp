@@ -31,6 +31,8 @@ static_assert(Microphones::kMost == kMostRingSensors);
 template <class Device, int count>
 struct MicrophoneInstance : BasicSensorInstance<Device> {
   std::shared_ptr<const RingGeometry<count>> ring;
+
+  void archive(StateArchive& /*state*/) {}
 };
 
 /// `Array` derives from this, and has `static float& levelOf(Instance&, std::size_t)`, the reading of a microphone.

@@ -10,6 +10,11 @@ namespace {
 struct ReaderInstance : SpanReadings<BasicSensorInstance<RfidReader>, RfidTagReading> {
   Transmitter antenna;
   OverflowNote overflow;
+
+  void archive(StateArchive& state) {
+    SpanReadings::archive(state);
+    state(overflow);
+  }
 };
 
 class RfidReaderSensor final : public SensorOf<RfidReader, ReaderInstance> {

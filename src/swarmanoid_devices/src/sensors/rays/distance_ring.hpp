@@ -33,6 +33,8 @@ template <class Device, int count>
 struct DistanceInstance : BasicSensorInstance<Device> {
   std::shared_ptr<const RingGeometry<count>> ring;
   bool is_clear = false;  // whether all readings are infinite
+
+  void archive(StateArchive& state) { state(is_clear); }
 };
 
 /// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, the reading of a sensor.

@@ -28,6 +28,8 @@ struct ScannerInstance : BasicSensorInstance<Readings> {
   Pose pose_before;     // robot pose in the tick before the last sensed one
   Pose pose;            // robot pose in the last sensed tick
   TickGuard tick;
+
+  void archive(StateArchive& state) { state(before, angle, pose_before, pose, tick); }
 };
 
 /// Samples of one tick, oldest first: angles of the head, and origins and directions of its beams.

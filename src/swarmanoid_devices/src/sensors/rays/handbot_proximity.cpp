@@ -12,6 +12,8 @@ namespace {
 
 struct PalmsInstance : BasicSensorInstance<HandbotProximity> {
   std::array<Mount, 2> palms;
+
+  void archive(StateArchive& /*state*/) {}
 };
 
 class HandbotProximitySensor final : public SensorOf<HandbotProximity, PalmsInstance> {

@@ -24,6 +24,11 @@ namespace {
 struct LidarInstance : SpanReadings<BasicSensorInstance<Lidar>, LidarBeam> {
   Mount mount;
   std::optional<Time> scanned;  // time of the last scan; empty for a new robot
+
+  void archive(StateArchive& state) {
+    SpanReadings::archive(state);
+    state(scanned);
+  }
 };
 
 constexpr std::size_t kSectorBeams = 8 * sizeof(RayMask);  // maximum number of rays in a bundle

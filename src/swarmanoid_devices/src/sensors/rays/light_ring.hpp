@@ -32,6 +32,8 @@ static_assert(Light::kMostSensors == kMostRingSensors);
 template <class Device, int count>
 struct LightInstance : BasicSensorInstance<Device> {
   std::shared_ptr<const RingGeometry<count>> ring;
+
+  void archive(StateArchive& /*state*/) {}
 };
 
 /// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, the reading of a sensor. A ring

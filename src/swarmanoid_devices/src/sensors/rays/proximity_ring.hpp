@@ -24,6 +24,8 @@ template <class Device, int count>
 struct ProximityInstance : BasicSensorInstance<Device> {
   std::shared_ptr<const RayRing<count>> ring;
   bool is_clear = true;  // whether all readings are 0
+
+  void archive(StateArchive& state) { state(is_clear); }
 };
 
 /// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, the reading of a sensor. A ring

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dynamics2d/solver/constraints.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 #include "swarmanoid_space/state/entities.hpp"
 
 namespace swarmanoid::dynamics2d {
@@ -33,6 +34,8 @@ class CrowdMemory {
   /// Appends the contacts of two bodies in the last tick, with their impulses in a step. @param pair index of the pair
   /// of bodies in the island @param step [s]
   void recall(const BodyNumbers& bodies, int pair, double step, std::vector<ContactConstraint>& contacts) const;
+  /// Between ticks, for snapshots.
+  void archive(StateArchive& state) { state(last_); }
 
  private:
   struct Kept {

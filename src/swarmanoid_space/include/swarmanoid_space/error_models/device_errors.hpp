@@ -56,6 +56,10 @@ class DeviceErrors {
     SWARMANOID_EXPECTS(!isEmpty());
     chain_->applyListed(device, state, tick);
   }
+  void pointSpans(void* device, ErrorState& state) const {
+    SWARMANOID_EXPECTS(!isEmpty());
+    chain_->pointSpans(device, state);
+  }
 
  private:
   ErrorChain& require(const SourceLocation& location) {

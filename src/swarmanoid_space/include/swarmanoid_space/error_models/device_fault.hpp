@@ -33,6 +33,9 @@ class DeviceFault {
   /// As ErrorChain::apply.
   void apply(void* device, std::uint64_t tick) { chain_.apply(device, state_, tick); }
 
+  /// As ErrorChain::pointSpans.
+  void pointSpans(void* device) { chain_.pointSpans(device, state_); }
+
   /// As ErrorState::reseed.
   void reseed(std::uint64_t seed) { state_.reseed(seed); }
 

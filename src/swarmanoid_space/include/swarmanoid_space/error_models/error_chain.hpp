@@ -84,6 +84,8 @@ class ErrorChain {
   void applyListed(void* device, ErrorState& state, std::uint64_t tick) const {
     apply(device, state, tick, alias_count_);
   }
+  /// Points the spans on which errors act to the state, as after `apply`; for a state that was loaded from a snapshot.
+  void pointSpans(void* device, ErrorState& state) const { deliverElements(static_cast<std::byte*>(device), state); }
 
  private:
   struct Entry {

@@ -15,6 +15,8 @@ struct ErrorModelDescription {
   std::uint64_t from_tick = 0;    ///< first tick in which the error acts
   SourceLocation location;        ///< of the element
   SourceLocation field_location;  ///< that of the element, or of the --set that gave the attribute `field`
+
+  void archive(StateArchive& state) { state(kind, field, parameters, from_tick, location, field_location); }
 };
 
 }  // namespace swarmanoid

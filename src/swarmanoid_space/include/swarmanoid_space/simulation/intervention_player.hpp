@@ -29,6 +29,10 @@ class InterventionPlayer {
   const RecordedIntervention* takeDue(std::uint64_t tick, bool after_rules);
   /// Called when a new run begins.
   void restart() { next_ = 0; }
+  /// Its position among the interventions, for snapshots; a player with fewer of them has none left. @{
+  std::size_t position() const { return next_; }
+  void goTo(std::size_t position) { next_ = position < interventions_.size() ? position : interventions_.size(); }
+  /// @}
   std::size_t left() const { return interventions_.size() - next_; }
 
  private:

@@ -14,6 +14,7 @@
 #include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/observer.hpp"
 #include "swarmanoid_space/simulation/intervention_player.hpp"
+#include "swarmanoid_space/simulation/snapshot.hpp"
 #include "swarmanoid_space/space.hpp"
 #include "swarmanoid_space/world/controller_failure.hpp"
 #include "swarmanoid_space/world/engine_report.hpp"
@@ -141,6 +142,17 @@ class Simulation {
   /// from the file. `seed` replaces the experiment's if given. Space::time_before_reset grows so that ROS time keeps
   /// rising, unless `rewind` sets it back to 0.
   void reset(std::optional<std::uint64_t> seed = std::nullopt, bool rewind = false);
+
+  /// Between ticks: the whole state of the run. Observers, and state in other processes, are not part of it.
+  /// @throws std::runtime_error naming a controller, device, engine or rule that does not define its state
+  /// (StateArchive), or a robot that is commanded from another process
+  std::shared_ptr<const Snapshot> snapshot() const;
+  /// Between ticks: goes on from a snapshot of this simulation, or of another one of the same experiment; parameters
+  /// and overrides of this one stay. Robots keep their controllers if the entities are the same; otherwise these start
+  /// anew and get their state. Observers begin a new run, as after a reset, and Space::time_before_reset grows so that
+  /// ROS time keeps rising.
+  /// @throws ConfigError if the snapshot is of another experiment; then nothing has changed
+  void restore(const Snapshot& snapshot);
 
  private:
   void resetRules();

@@ -51,6 +51,9 @@ class Attachments {
   /// Whether any entity holds this one. Visits all entities if there are attachments.
   bool isHeld(Row held) const;
 
+  /// For snapshots; the attachments themselves are a column.
+  void archive(StateArchive& state) { state(count_); }
+
   /// Calls visit(holder, attachment) for each attachment of an entity, in the order of its holders.
   template <class Visit>
   void visit(Row owner, Visit visit) const {

@@ -10,11 +10,14 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/span.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 #include "swarmanoid_space/state/row.hpp"
 #include "swarmanoid_space/state/state_visitor.hpp"
 
@@ -63,6 +66,8 @@ class ColumnBase {
   /// Resets a row to its default. @param model of its entity; null: the row has no entity any more
   virtual void reset(Row row, const EntityModel* model) = 0;
   virtual void visit(StateVisitor& visitor, const CellOwner& owner) const = 0;
+  /// Saves or loads the values of all rows, for snapshots (IsKeptApart).
+  virtual void archive(StateArchive& state) = 0;
 
  protected:
   ColumnBase(Columns& columns, const ColumnInfo& info);
@@ -82,6 +87,8 @@ class Columns {
   void reset(Row row, const EntityModel* model);
   /// Visits the values of an entity: those in the hash, and all others if the visitor wants detail.
   void visit(StateVisitor& visitor, const CellOwner& owner) const;
+  /// Saves or loads all columns. @pre the number of rows is that of the saved columns
+  void archive(StateArchive& state);
   std::vector<const ColumnBase*> all() const { return {columns_.begin(), columns_.end()}; }
 
  private:
@@ -90,6 +97,17 @@ class Columns {
   std::vector<ColumnBase*> columns_;
   std::size_t row_count_ = 0;
 };
+
+/// True for values that a snapshot does not keep as bytes of their column, but by entity (src/snapshot/): names,
+/// pointers, and what contains them.
+template <class Value>
+struct IsKeptApart : std::is_pointer<Value> {};
+template <>
+struct IsKeptApart<std::string> : std::true_type {};
+template <class Object>
+struct IsKeptApart<std::unique_ptr<Object>> : std::true_type {};
+template <class Object>
+struct IsKeptApart<std::shared_ptr<Object>> : std::true_type {};
 
 namespace detail {
 
@@ -137,6 +155,13 @@ class Column final : public ColumnBase, public ByRow<Value> {
   }
   void visit(StateVisitor& visitor, const CellOwner& owner) const override {
     detail::visitIfNamed(visitor, info(), owner, (*this)[owner.row]);
+  }
+  void archive(StateArchive& state) override {
+    if constexpr (!IsKeptApart<Value>::value) {
+      for (Value& value : this->values_) {
+        state(value);
+      }
+    }
   }
 
  private:
@@ -205,6 +230,12 @@ class ListColumn final : public ColumnBase, public ListByRow<Value> {
   }
   void visit(StateVisitor& visitor, const CellOwner& owner) const override {
     detail::visitIfNamed(visitor, info(), owner, (*this)[owner.row]);
+  }
+  void archive(StateArchive& state) override {
+    for (Place& place : places_) {
+      state(place);
+    }
+    state(values_, holes_);
   }
 
  private:

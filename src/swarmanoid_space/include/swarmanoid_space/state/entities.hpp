@@ -48,12 +48,22 @@ class Entities {
  public:
   /// Adds an entity, with the defaults in all columns except those of the arguments. @pre no entity has that name
   Row add(const std::string& name, std::shared_ptr<const EntityModel> model, const Pose& pose, Color color);
+  /// As `add`, with a row and a number of its own, for snapshots. @pre the row exists and is free, and the number is
+  /// greater than those of all entities
+  void addAt(Row row, EntityNumber own_number, const std::string& name, std::shared_ptr<const EntityModel> model,
+             const Pose& pose, Color color);
   void remove(Row row);
   /// Gives the number of the last entity back, so that the next entity gets it. @pre that entity was removed at once,
   /// before its number was used
   void giveBackLastNumber() { --last_number_; }
   /// Removes everything and restarts entity numbers.
   void clear();
+  /// Saves or loads the columns, and what decides the rows and numbers of later entities, for snapshots. When it loads,
+  /// the same entities have the same rows.
+  void archive(StateArchive& state) {
+    columns.archive(state);
+    state(holes_, last_number_);
+  }
 
   /// @return kNoRow if there is none
   Row find(const std::string& name) const;

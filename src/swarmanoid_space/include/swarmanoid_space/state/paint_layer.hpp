@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/state_archive.hpp"
 
 namespace swarmanoid {
 
@@ -81,6 +82,9 @@ class PaintLayer {
   /// A digest of all painted cells and their ticks. Equal for layers with the same cells; different layers have equal
   /// digests with a probability of 1 in 2^64.
   std::uint64_t digest() const { return digest_; }
+
+  /// Saves or loads the paint, for snapshots; loads into a layer of the same size. Takes time for each painted cell.
+  void archive(StateArchive& state);
 
  private:
   struct Cell {

@@ -41,6 +41,8 @@ class StructuralTree {
     Grippers& operator=(const Grippers&) = default;
     Grippers& operator=(Grippers&&) noexcept = default;
     ~Grippers() = default;
+
+    void archive(StateArchive& state) { state(static_cast<std::vector<Row>&>(*this)); }
   };
 
   Column<Row, WrittenIn::kConnect> parent_;

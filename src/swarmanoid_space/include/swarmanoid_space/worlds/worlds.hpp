@@ -66,6 +66,11 @@ class Worlds {
   /// Starts the runs of some worlds anew. @param chosen of each world, not 0: it is reset; null: all worlds
   /// @param seeds of each world; null: the last one plus the number of worlds
   void reset(const std::uint8_t* chosen = nullptr, const std::uint64_t* seeds = nullptr);
+  /// The state of a world's run (snapshot.hpp). @pre world < count() @throws std::runtime_error as Simulation::snapshot
+  std::shared_ptr<const Snapshot> snapshot(std::size_t world) const;
+  /// Goes on from a snapshot in some worlds, each with the same state; rewards become 0. @param chosen as of `reset`
+  /// @throws std::runtime_error if it is of another experiment
+  void restore(const Snapshot& snapshot, const std::uint8_t* chosen = nullptr);
   /// @param actions [worlds][slots][action size]; rows without an agent are ignored
   void step(const float* actions);
 
