@@ -35,6 +35,8 @@ class Patrol final : public swarmanoid::Controller {
 
   void reset() override { clock_ = {}; }
 
+  void archive(swarmanoid::StateArchive& state) override { state(clock_); }
+
  private:
   swarmanoid::Robot* robot_ = nullptr;
   swarmanoid::FootbotWheels* wheels_ = nullptr;

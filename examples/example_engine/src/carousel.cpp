@@ -73,6 +73,11 @@ class Carousel final : public swarmanoid::Engine {
     }
   }
   void clear() override { riders_.clear(); }
+  void archive(const Space& space, swarmanoid::StateArchive& state) override {
+    for (Rider& rider : riders_) {
+      rider.pose = state.isLoading() ? space.entities.pose[rider.row] : rider.pose;  // nothing of its own to save
+    }
+  }
 
   void move(const Space&, const MoveAccess& access, swarmanoid::Duration dt) override {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(rate_ * swarmanoid::toSeconds(dt), Eigen::Vector3d::UnitZ()));

@@ -51,6 +51,8 @@ class Relocation final : public swarmanoid::Rule {
     }
   }
 
+  void archive(swarmanoid::StateArchive& state) override { state(last_placed_); }
+
  private:
   std::string entity_;
   std::uint64_t every_ = 1;

@@ -20,6 +20,8 @@ class FaceNorth final : public swarmanoid::Controller {
     wheels_->setAngularVelocity(-turn, turn);
   }
 
+  void archive(swarmanoid::StateArchive&) override {}
+
  private:
   swarmanoid::FootbotWheels* wheels_ = nullptr;
   const Compass* compass_ = nullptr;

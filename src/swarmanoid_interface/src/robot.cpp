@@ -27,6 +27,15 @@ std::string_view beginOf(std::string_view text, std::size_t bytes) {
 Robot::Robot(std::string name, std::string type, std::uint64_t seed)
     : random_(seed, name, "controller"), name_(std::move(name)), type_(std::move(type)) {}
 
+void Robot::restart(std::uint64_t seed) {
+  random_ = RandomStream(seed, name_, "controller");
+  time_ = kEpoch;
+  debug_values_.clear();
+  has_warned_of_debug_ = false;
+  log_window_start_ = kEpoch;
+  logged_in_window_ = 0;
+}
+
 void* Robot::find(const Devices& devices, const char* type, const char* kind) const {
   std::vector<std::string> known;
   for (const auto& [name, device] : devices) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/grips.hpp"
+#include "swarmanoid_space/models/shared_by_model.hpp"
 
 namespace swarmanoid::planar {
 namespace {
@@ -13,21 +14,26 @@ bool areSame(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return 
 }  // namespace
 
 std::shared_ptr<const PlanarModel> Bodies::project(const std::shared_ptr<const EntityModel>& entity,
-                                                   const Eigen::Quaterniond& base) {
-  for (const Projection& projection : projections_) {
-    if (areSame(projection.base, base) && projection.entity.lock() == entity) {
-      if (auto model = projection.model.lock()) {
-        return model;
-      }
-    }
-  }
-  projections_.erase(std::remove_if(projections_.begin(), projections_.end(),
-                                    [](const Projection& projection) { return projection.model.expired(); }),
-                     projections_.end());
-  auto model = std::make_shared<PlanarModel>();
-  projectModel(*entity, plane_, base, *model);
-  projections_.push_back({entity, base, model});
-  return model;
+                                                   const Eigen::Quaterniond& base) const {
+  struct Key {
+    Eigen::Vector3d normal;
+    Eigen::Quaterniond base;
+
+    bool operator==(const Key& other) const { return normal == other.normal && areSame(base, other.base); }
+  };
+  static SharedByModel<Key, PlanarModel> shared;
+  return shared.get(entity, {plane_.normal(), base}, [&] {
+    PlanarModel model;
+    projectModel(*entity, plane_, base, model);
+    return model;
+  });
+}
+
+const PlanarModel* Bodies::projectionOfLast(const EntityModel& model, const Eigen::Quaterniond& base) const {
+  const BodyDetails* last = order_.empty() ? nullptr : &details(order_.back());
+  return last != nullptr && last->entity.get() == &model && !last->own && areSame(last->base, base)
+             ? last->shared_model.get()
+             : nullptr;
 }
 
 void Bodies::findMechanisms(const Space& space, BodyIndex index) {
@@ -168,7 +174,6 @@ void Bodies::clear() {
   index_of_row_.clear();
   large_.clear();
   walls_.clear();
-  projections_.clear();
   grid_.clear();
   turrets_.clear();
   largest_radius_ = 0.0;

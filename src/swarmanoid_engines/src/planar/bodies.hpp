@@ -86,6 +86,9 @@ class Bodies {
   void clear();
   /// Copies the entity's pose and joints from the space. @return whether its shapes changed
   bool place(const Space& space, BodyIndex index);
+  /// The projection of a model with a base, if the last body by entity number has the same; else null. Groups of equal
+  /// entities are placed one after the other, and try many places.
+  const PlanarModel* projectionOfLast(const EntityModel& model, const Eigen::Quaterniond& base) const;
   /// Saves or loads poses, shapes and turrets, for snapshots. @pre when it loads, the bodies are those of the same
   /// entities; their indices may differ
   void archive(StateArchive& state);
@@ -187,15 +190,8 @@ class Bodies {
   }
 
  private:
-  /// A projection, shared among equal models.
-  struct Projection {
-    std::weak_ptr<const EntityModel> entity;
-    Eigen::Quaterniond base;
-    std::weak_ptr<const PlanarModel> model;
-  };
-
   std::shared_ptr<const PlanarModel> project(const std::shared_ptr<const EntityModel>& entity,
-                                             const Eigen::Quaterniond& base);
+                                             const Eigen::Quaterniond& base) const;
   void findMechanisms(const Space& space, BodyIndex index);
   void findTurret(const Space& space, BodyIndex index);
   bool haveJointsTurned(const Space& space, BodyIndex index) const;
@@ -217,7 +213,6 @@ class Bodies {
   std::vector<Turret> turrets_;
   OwnProjection tried_;                     // scratch of modelAt
   std::vector<PlanarShape> placed_shapes_;  // scratch of boundsOf
-  std::vector<Projection> projections_;
   CellGrid grid_;
   double largest_radius_ = 0.0;  // of bodies in the grid
 };

@@ -50,8 +50,13 @@ Penetration deepestPenetration(const PlanarModel& model, const PlacedPose& pose,
 
 BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose& pose, Span<const Row> ignored) {
   const Plane& plane = bodies.plane();
-  PlanarModel projected;
-  projectModel(model, plane, plane.baseOf(pose.orientation), projected);
+  const Eigen::Quaterniond base = plane.baseOf(pose.orientation);
+  PlanarModel own;
+  const PlanarModel* of_last = bodies.projectionOfLast(model, base);
+  if (of_last == nullptr) {
+    projectModel(model, plane, base, own);
+  }
+  const PlanarModel& projected = of_last == nullptr ? own : *of_last;
   const PlacedPose placed = PlacedPose::at(plane.toLocal(pose.position), plane.headingOf(pose.orientation));
   const double along = plane.along(pose.position);
   BodyIndex found = kNoBody;

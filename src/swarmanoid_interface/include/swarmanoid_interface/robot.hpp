@@ -86,6 +86,8 @@ class alignas(64) Robot {
   void provideSensor(const std::string& type, const void* readings);
   void provideActuator(const std::string& type, void* command);
   void setLogSink(LogSink sink) { log_sink_ = std::move(sink); }
+  /// Returns to the state after construction, with another seed; devices and the sink of the log stay.
+  void restart(std::uint64_t seed);
   /// Sets another seed for the steps from now on.
   void reseed(std::uint64_t seed) { random_.reseed(seed); }
   /// Random numbers, debug values and the limit of the log, for snapshots.

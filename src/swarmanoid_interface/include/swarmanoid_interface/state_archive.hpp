@@ -45,6 +45,12 @@ class StateArchive {
   struct HasArchive<Value, std::void_t<decltype(std::declval<Value&>().archive(std::declval<StateArchive&>()))>>
       : std::true_type {};
 
+  template <class Value, class = void>
+  struct DeclaresArchive : std::false_type {};
+  template <class Value>
+  struct DeclaresArchive<Value, std::enable_if_t<HasArchive<Value>::value>>
+      : std::is_same<decltype(&Value::archive), void (Value::*)(StateArchive&)> {};
+
  public:
   /// An archive that saves: values are appended to `bytes`, which outlives it.
   explicit StateArchive(std::vector<std::byte>& bytes) : saved_(&bytes) {}
@@ -81,6 +87,10 @@ class StateArchive {
   /// Whether a class has the function `archive`.
   template <class Value>
   static constexpr bool kIsDefinedBy = HasArchive<Value>::value;
+
+  /// Whether a class itself, and not only a base, has it.
+  template <class Value>
+  static constexpr bool kIsDeclaredBy = DeclaresArchive<Value>::value;
 
   /// For classes that do not define their state. @throws StateNotDefined
   [[noreturn]] static void refuse() { throw StateNotDefined(); }

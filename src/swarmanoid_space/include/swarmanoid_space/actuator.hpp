@@ -60,6 +60,9 @@ class Actuator {
   virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
   /// Between ticks: later random draws use another seed.
   virtual void reseed(std::uint64_t seed) = 0;
+  /// Between ticks, before the first one: gives all instances the state of robots that have just been added, with their
+  /// present poses and the seed of the space; their mechanisms are at rest. @pre there are no faults
+  virtual void restart(Space& space) = 0;
   /// Saves or loads the state of all instances, with their faults (state_archive.hpp), for snapshots of a run. When it
   /// loads, the actuator has instances for the same robots. An instance that adds members has a function `archive` for
   /// those that last from tick to tick, as instances of sensors.
@@ -113,16 +116,8 @@ class ActuatorOf : public Actuator {
   void takeErrors(const std::vector<ErrorModelDescription>& errors) override { errors_.add(errors); }
 
   void* add(Space& space, Row row) override {
-    Instance instance;
-    instance.row = row;
-    instance.number = space.entities.number[row];
-    instance.command = &space.commands.template bank<Device>().add(row);
-    instance.actuation = &space.actuation.template bank<Device>().add(row);
-    instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
-    prepareInstance(space, instance);
-    Device* command = instance.command;
-    apply(space, ActuateAccess(space), instance);  // its mechanisms are commanded from now on, at rest
-    instances_.push_back(std::move(instance));
+    Device* const command = &space.commands.template bank<Device>().add(row);
+    instances_.push_back(makeInstance(space, row, command, &space.actuation.template bank<Device>().add(row)));
     if (!errors_.isEmpty()) {
       error_states_.push_back({row, errors_.makeState(space.seed, space.entities.name[row], 0)});
     }
@@ -171,6 +166,20 @@ class ActuatorOf : public Actuator {
     }
     for (Disturbed& disturbed : error_states_) {
       disturbed.errors.reseed(seed);
+    }
+  }
+
+  void restart(Space& space) override {
+    for (std::size_t k = 0; k < instances_.size(); ++k) {
+      const Row row = instances_[k].row;
+      Device* const command = instances_[k].command;
+      Device* const actuation = instances_[k].actuation;
+      *command = Device{};
+      *actuation = Device{};
+      instances_[k] = makeInstance(space, row, command, actuation);
+      if (!errors_.isEmpty()) {
+        error_states_[k].errors = errors_.makeState(space.seed, space.entities.name[row], 0);
+      }
     }
   }
 
@@ -279,6 +288,19 @@ class ActuatorOf : public Actuator {
     Row row;
     ErrorState errors;
   };
+
+  /// Makes an instance whose mechanisms are commanded from now on, at rest.
+  Instance makeInstance(Space& space, Row row, Device* command, Device* actuation) {
+    Instance instance;
+    instance.row = row;
+    instance.number = space.entities.number[row];
+    instance.command = command;
+    instance.actuation = actuation;
+    instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
+    prepareInstance(space, instance);
+    apply(space, ActuateAccess(space), instance);
+    return instance;
+  }
 
   void actuateRange(const Space& space, const ActuateAccess& access, std::vector<Row>& faulty, std::size_t first,
                     std::size_t last) {

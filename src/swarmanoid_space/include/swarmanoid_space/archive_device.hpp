@@ -68,10 +68,11 @@ void archiveFaults(const Space& space, Plugin& plugin, Instance& instance, State
   }
 }
 
-/// Saves or loads the members that an instance of a device adds to those of `Basic`.
+/// Saves or loads the members that an instance of a device adds to those of `Basic`. The struct declares its function
+/// `archive` itself: an inherited one would leave out the members that it adds.
 template <class Basic, class Instance>
 void archiveOwnMembers(StateArchive& state, Instance& instance) {
-  if constexpr (StateArchive::kIsDefinedBy<Instance>) {
+  if constexpr (StateArchive::kIsDeclaredBy<Instance>) {
     instance.archive(state);
   } else if constexpr (!std::is_same_v<Instance, Basic>) {
     StateArchive::refuse();

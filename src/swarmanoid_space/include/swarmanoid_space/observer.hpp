@@ -38,8 +38,9 @@ struct RunContext {
   std::shared_ptr<OutFolder> out;  ///< decides which files may be written, for OutFile; null: any
   std::string asked_by;            ///< the option that requests the observer, "--bag"; "": the experiment file
   bool headless = true;
-  bool is_open = true;   ///< other processes can command robots, over topics or as lockstep participants
-  bool is_fork = false;  ///< the seed will change during the run: a record could not reproduce it
+  bool is_open = true;       ///< other processes can command robots, over topics or as lockstep participants
+  bool keeps_start = false;  ///< keep the state before the first tick, so that resets are fast, for small worlds
+  bool is_fork = false;      ///< the seed will change during the run: a record could not reproduce it
   const Experiment* experiment = nullptr;
   std::function<RunOutcome()> outcome;  ///< for `finish` of observers; empty: not known
 };

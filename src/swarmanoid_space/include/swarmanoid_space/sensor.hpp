@@ -62,6 +62,9 @@ class Sensor {
   virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
   /// Between ticks: later random draws use another seed.
   virtual void reseed(std::uint64_t seed) = 0;
+  /// Between ticks, before the first one: gives all instances the state of robots that have just been added, with their
+  /// present poses and the seed of the space. @pre there are no faults
+  virtual void restart(const Space& space) = 0;
   /// Saves or loads the state of all instances, with their faults (state_archive.hpp), for snapshots of a run. When it
   /// loads, the sensor has instances for the same robots.
   virtual void archive(const Space& space, StateArchive& state) = 0;
@@ -135,21 +138,16 @@ class SensorOf : public Sensor {
 
   const void* add(Space& space, Row row) override {
     Device& delivered = space.readings.template bank<Device>().add(row);
-    Instance instance;
-    instance.row = row;
-    instance.number = space.entities.number[row];
-    instance.readings = &delivered;
-    instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
+    Device* readings = &delivered;
     Disturbed disturbed{row, nullptr, &delivered, {}};
     if (!errors_.isEmpty()) {
       // the readings are stored separately, since a sensor may continue from its previous readings
       disturbed.readings = std::make_unique<Device>();
       disturbed.errors = errors_.makeState(space.seed, space.entities.name[row], mostElements());
-      instance.readings = disturbed.readings.get();
+      readings = disturbed.readings.get();
     }
-    prepareInstance(space, instance);
     // entity numbers only grow, so the order is kept
-    instances_.push_back(std::move(instance));
+    instances_.push_back(makeInstance(space, row, readings));
     if (!errors_.isEmpty()) {
       disturbed_.push_back(std::move(disturbed));
     }
@@ -195,6 +193,19 @@ class SensorOf : public Sensor {
     }
     for (Disturbed& disturbed : disturbed_) {
       disturbed.errors.reseed(seed);
+    }
+  }
+
+  void restart(const Space& space) override {
+    for (std::size_t k = 0; k < instances_.size(); ++k) {
+      const Row row = instances_[k].row;
+      Device* const readings = instances_[k].readings;
+      *readings = Device{};
+      if (!errors_.isEmpty()) {
+        *disturbed_[k].delivered = Device{};
+        disturbed_[k].errors = errors_.makeState(space.seed, space.entities.name[row], mostElements());
+      }
+      instances_[k] = makeInstance(space, row, readings);
     }
   }
 
@@ -288,6 +299,16 @@ class SensorOf : public Sensor {
       delivered = readings;
     }
     archiveDevice(state, delivered);
+  }
+
+  Instance makeInstance(const Space& space, Row row, Device* readings) {
+    Instance instance;
+    instance.row = row;
+    instance.number = space.entities.number[row];
+    instance.readings = readings;
+    instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
+    prepareInstance(space, instance);
+    return instance;
   }
 
   void chooseDelivery() { delivers_ = !errors_.isEmpty() || fault_count_ > 0; }

@@ -1,6 +1,5 @@
 #include "../world/entities.hpp"
 #include "carry_out.hpp"
-#include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_space/experiment/entity_validation.hpp"
 
 namespace swarmanoid {
@@ -19,20 +18,11 @@ bool carryOut(World& world, const MoveEntity& intervention) {
   entity.id = name;
   entity.type = world.space.entities.model[row]->type;
   refuseBadPlace(world, entity, *posedModel(world.space.entities.model[row], world.space.joints[row]), target,
-                 world.assembly.memberships[row]);
+                 world.assembly.memberships[row], Span<const Row>(&row, 1));
   // the move would tear connections apart
   world.space.structure.isolate(row);
   world.space.attachments.isolate(row);
-  world.space.entities.pose[row] = target;
-  world.space.entities.twist[row] = Twist{};
-  world.space.placed[row] = world.space.tick;
-  for (const Membership& membership : world.assembly.memberships[row]) {
-    callPlugin("place", partOf(world.assembly.engines, *membership.engine), UserCode::kNoTick,
-               [&] { membership.engine->place(world.space, row); });
-  }
-  if (world.space.entities_without_engine.has(row)) {
-    world.space.entities_without_engine.place(world.space.entities, row);
-  }
+  setPose(world, row, target);
   world.space.index.forget(world.space.entities);
   world.pending_events.push_back({Event::Kind::kMoved, name, "", ""});
   return true;

@@ -10,6 +10,7 @@
 #include "../world/build.hpp"
 #include "../world/engines.hpp"
 #include "../world/entities.hpp"
+#include "../world/restart.hpp"
 #include "../world/scripts.hpp"
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
@@ -23,6 +24,11 @@ Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts 
   buildEngines(*world_);
   build(*world_);
   buildRules(*world_);
+  if (world_->context.keeps_start) {
+    if (auto start = startOf(*world_)) {
+      start_ = std::make_unique<Snapshot>(std::move(start));
+    }
+  }
   resetRules();
   world_->context.outcome = [this] { return outcome(); };
   buildObservers(*world_);
@@ -58,7 +64,9 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   world.failures.clear();
   world.pending_events.clear();
   world.pending_interventions.clear();
-  unbuild(world);  // failures of controllers in destroy belong to the new run, as failures and events
+  if (start_ == nullptr) {
+    unbuild(world);  // failures of controllers in destroy belong to the new run, as failures and events
+  }
   logged_overflows_ = 0;
   finish_asked_ = false;
   finished_ = false;
@@ -73,10 +81,14 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
     world.space.seed = *seed;
     world.experiment.framework.seed = *seed;
   }
-  restoreEngineParameters(world);
-  forgetScripts(world);
-  build(world);
-  renewRulesInScripts(world);
+  if (start_ == nullptr) {
+    restoreEngineParameters(world);
+    forgetScripts(world);
+    build(world);
+    renewRulesInScripts(world);
+  } else {
+    restart(world, start_->data());
+  }
   player_.restart();
   resetRules();
   for (ObserverInstance& observer : world.assembly.observers) {

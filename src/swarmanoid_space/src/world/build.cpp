@@ -55,19 +55,6 @@ void refuseEndlessRun(const FrameworkDescription& framework) {
   }
 }
 
-/// @throws ConfigError for any exception of the controller
-void initTogether(const ControllerGroup& group, const ControllerDescription& description) {
-  const UserCode code{"init", group.part, ""};
-  const UserCall call(code);
-  try {
-    group.together->init(description.parameters);
-  } catch (const ConfigError&) {
-    throw;
-  } catch (...) {
-    throw ConfigError(description.location, group.part + " does not start: " + describeException());
-  }
-}
-
 /// Gives the group its controller: one for all robots, or a function that creates one for each.
 void giveController(World& world, const ControllerDescription& description, ControllerGroup& group) {
   const SuppliedParts& supplied = world.supplied;
@@ -85,7 +72,7 @@ void giveController(World& world, const ControllerDescription& description, Cont
   }
   if (group.together != nullptr) {
     group.part = "controller '" + description.id + "' of all its robots";
-    initTogether(group, description);
+    initTogether(group);
   }
 }
 
@@ -171,6 +158,18 @@ Floor floorOf(const Experiment& experiment) {
 }
 
 }  // namespace
+
+void initTogether(const ControllerGroup& group) {
+  const UserCode code{"init", group.part, ""};
+  const UserCall call(code);
+  try {
+    group.together->init(group.description->parameters);
+  } catch (const ConfigError&) {
+    throw;
+  } catch (...) {
+    throw ConfigError(group.description->location, group.part + " does not start: " + describeException());
+  }
+}
 
 void buildEngines(World& world) {
   refuseEndlessRun(world.experiment.framework);

@@ -14,6 +14,9 @@ void build(World& world);
 /// Builds the controller groups with their devices, without robots. Part of `build`. @throws ConfigError
 void buildControllerGroups(World& world);
 
+/// Initialises the controller of a group that is stepped together. @throws ConfigError for any exception of it
+void initTogether(const ControllerGroup& group);
+
 /// Builds the rules, once per world, after the engines. @throws ConfigError
 void buildRules(World& world);
 

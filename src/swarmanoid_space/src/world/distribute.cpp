@@ -13,16 +13,18 @@ namespace {
 /// Places the entities of a group one after the other.
 class Placing {
  public:
-  Placing(World& world, const EntityDescription& group, const std::vector<Membership>& memberships)
+  /// @param is_again the entities exist, and are moved to the places that they would get
+  Placing(World& world, const EntityDescription& group, const std::vector<Membership>& memberships, bool is_again)
       : world_(world),
         memberships_(memberships),
+        is_again_(is_again),
         distribution_(*group.distribution),
         bounds_(distribution_.bounds()),
         extent_(bounds_.sizes()),
         longer_side_(std::max({extent_.x(), extent_.y(), 1e-9})),
         origin_(originOf(world, group)),
         name_(group.id + "_"),
-        model_(modelOf(group)),
+        model_(is_again ? world.space.entities.model[world.space.entities.find(name_ + "1")] : modelOf(group)),
         random_(world.space.seed, "distribute", group.id),
         entity_(group) {
     entity_.distribution.reset();
@@ -52,6 +54,10 @@ class Placing {
   Eigen::Vector3d placeInRows(std::size_t number) const;
   Draw nextAtRandom();
   bool tryPlace(const Draw& draw);
+  /// Adds the entity, or moves it. @pre the place is free
+  void place(const Pose& pose);
+  /// Entities that do not count as obstacles of the next one: those that come later, which are not in their places yet.
+  Span<const Row> later() const;
   /// rad
   double nextHeading() { return distribution_.random_heading ? random_.uniform(-M_PI, M_PI) : entity_.angles.z(); }
   void nameNext() { entity_.id = name_ + std::to_string(placed_ + 1); }
@@ -59,6 +65,7 @@ class Placing {
 
   World& world_;
   const std::vector<Membership>& memberships_;
+  bool is_again_;
   const Distribution& distribution_;
   Eigen::AlignedBox3d bounds_;  // of the area [m]
   Eigen::Vector3d extent_;      // of bounds_ [m]
@@ -138,8 +145,13 @@ void Placing::placeEvenly() {
     random_.startTick(placed_);
     entity_.position = origin_ + evenPlace(placed_);
     entity_.angles.z() = nextHeading();
-    addEntity(world_, entity_, memberships_);
-    ++placed_;
+    if (is_again_) {
+      refuseBadPlace(world_, entity_, *model_, poseOf(entity_), memberships_, later());
+      place(poseOf(entity_));
+    } else {
+      addEntity(world_, entity_, memberships_);
+      ++placed_;
+    }
   }
 }
 
@@ -165,13 +177,31 @@ bool Placing::tryPlace(const Draw& draw) {
   entity_.angles.z() = draw.heading;
   const Pose pose = poseOf(entity_);
   const bool is_free = std::none_of(memberships_.begin(), memberships_.end(), [&](const Membership& membership) {
-    return membership.engine->overlap(*model_, pose, kNoRow) != kNoRow;
+    return membership.engine->overlap(*model_, pose, later()) != kNoRow;
   });
   if (is_free) {
-    addFreeEntity(world_, entity_, model_, memberships_);
-    ++placed_;
+    place(pose);
   }
   return is_free;
+}
+
+void Placing::place(const Pose& pose) {
+  if (is_again_) {
+    setPose(world_, world_.space.entities.find(entity_.id), pose);
+  } else {
+    addFreeEntity(world_, entity_, model_, memberships_);
+  }
+  ++placed_;
+}
+
+Span<const Row> Placing::later() const {
+  if (!is_again_) {
+    return {};
+  }
+  const std::vector<Row>& order = world_.space.entities.order;
+  const auto next = std::find(order.begin(), order.end(), world_.space.entities.find(entity_.id));
+  const auto first = static_cast<std::size_t>(next - order.begin());
+  return {order.data() + first, order.size() - first};
 }
 
 void Placing::placeAtRandom() {
@@ -210,9 +240,10 @@ void Placing::placeAlongCurve() {
 
 }  // namespace
 
-void distribute(World& world, const EntityDescription& group, const std::vector<Membership>& memberships) {
+void distribute(World& world, const EntityDescription& group, const std::vector<Membership>& memberships,
+                bool is_again) {
   constexpr std::size_t kMany = 1000;  // this many robots fit into caches
-  Placing placing(world, group, memberships);
+  Placing placing(world, group, memberships, is_again);
   if (group.distribution->layout == Distribution::Layout::kGrid) {
     placing.placeEvenly();
   } else if (group.distribution->quantity <= kMany) {

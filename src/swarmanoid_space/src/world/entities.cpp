@@ -124,12 +124,12 @@ Row add(World& world, const EntityDescription& entity, const std::shared_ptr<con
 }  // namespace
 
 void refuseBadPlace(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
-                    const std::vector<Membership>& memberships) {
+                    const std::vector<Membership>& memberships, Span<const Row> ignored) {
   for (const Membership& membership : memberships) {
     refuseUnsupported(world, entity, model, pose, memberships, membership);
     // fixed entities may overlap each other: walls meet in their corners
     const auto counts = [&](Row other) { return model.is_movable || world.space.entities.model[other]->is_movable; };
-    const Row other = findOverlap(*membership.engine, model, pose, {world.space.entities.find(entity.id)}, counts);
+    const Row other = findOverlap(*membership.engine, model, pose, {ignored.begin(), ignored.end()}, counts);
     if (other != kNoRow) {
       refuseIn(*membership.engine, entity, "overlaps '" + world.space.entities.name[other] + "'");
     }
@@ -144,7 +144,7 @@ std::shared_ptr<const EntityModel> modelOf(const EntityDescription& entity) {
 Row addEntity(World& world, const EntityDescription& entity, const std::vector<Membership>& memberships) {
   refuseTaken(world, entity);
   const auto model = modelOf(entity);
-  refuseBadPlace(world, entity, *model, poseOf(entity), memberships);
+  refuseBadPlace(world, entity, *model, poseOf(entity), memberships, {});
   return add(world, entity, model, memberships);
 }
 
@@ -172,6 +172,19 @@ void destroyController(World& world, RobotInstance& instance) {
     if (world.log_sink) {
       world.log_sink(LogLevel::kError, instance.robot->name(), "controller failed: " + failure);
     }
+  }
+}
+
+void setPose(World& world, Row row, const Pose& pose) {
+  world.space.entities.pose[row] = pose;
+  world.space.entities.twist[row] = Twist{};
+  world.space.placed[row] = world.space.tick;
+  for (const Membership& membership : world.assembly.memberships[row]) {
+    callPlugin("place", partOf(world.assembly.engines, *membership.engine), UserCode::kNoTick,
+               [&] { membership.engine->place(world.space, row); });
+  }
+  if (world.space.entities_without_engine.has(row)) {
+    world.space.entities_without_engine.place(world.space.entities, row);
   }
 }
 

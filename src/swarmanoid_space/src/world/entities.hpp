@@ -9,9 +9,10 @@
 
 namespace swarmanoid {
 
+/// @param ignored entities that it may overlap, such as itself
 /// @throws ConfigError if the entity cannot have the pose in one of the engines
 void refuseBadPlace(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
-                    const std::vector<Membership>& memberships);
+                    const std::vector<Membership>& memberships, Span<const Row> ignored);
 
 /// @throws ConfigError (a bad place, a name in use, a controller that does not start); then nothing has changed
 Row addEntity(World& world, const EntityDescription& entity, const std::vector<Membership>& memberships);
@@ -28,6 +29,9 @@ void addEntityAt(World& world, Row row, EntityNumber number, const EntityDescrip
 
 std::shared_ptr<const EntityModel> modelOf(const EntityDescription& entity);
 inline Pose poseOf(const EntityDescription& entity) { return {entity.position, orientationFromAngles(entity.angles)}; }
+
+/// Places an entity elsewhere, at rest. @pre it may have the pose, and is not connected to others
+void setPose(World& world, Row row, const Pose& pose);
 
 void removeEntity(World& world, Row row);
 

@@ -136,6 +136,7 @@ void Worlds::State::add(std::size_t index, Experiment experiment) {
   world.agents = std::make_shared<Agents>(observed, commanded);
   RunContext context;
   context.is_open = false;
+  context.keeps_start = true;
   SuppliedParts supplied;
   supplied.group_controllers[options.controller] = world.agents;
   world.simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));

@@ -19,6 +19,8 @@ namespace swarmanoid::devices {
 template <class Received>
 struct RadioReceiverInstance : MessageReceiverInstance<Received> {
   RadioAddress address = kEverybody;  ///< of the robot
+
+  void archive(StateArchive& state) { MessageReceiverInstance<Received>::archive(state); }
 };
 
 /// @tparam Received struct of the readings @tparam Command of the senders' actuators, a RadioCommand

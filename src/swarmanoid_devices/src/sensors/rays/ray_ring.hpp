@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ring_geometry.hpp"
@@ -223,7 +224,9 @@ class RayRings {
     if (found != ray_rings_.end()) {
       return found->ring;
     }
-    ray_rings_.push_back({geometry, std::make_shared<RayRing<count>>(*geometry, range)});
+    static SharedByModel<std::pair<std::vector<std::string>, double>, RayRing<count>> shared;
+    ray_rings_.push_back(
+        {geometry, shared.get(model, {names, range}, [&] { return RayRing<count>(*geometry, range); })});
     return ray_rings_.back().ring;
   }
 

@@ -9,6 +9,7 @@
 
 #include "common/mechanisms.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
+#include "swarmanoid_space/models/shared_by_model.hpp"
 
 namespace swarmanoid::devices {
 
@@ -86,7 +87,7 @@ RingGeometry<count> ringOf(const EntityModel& model, const char* device, const s
   return ring;
 }
 
-/// The rings of all robots with one sensor; robots of one type share theirs.
+/// The rings of all robots with one sensor; robots of one type share theirs, also with other worlds.
 template <int count>
 class Rings {
  public:
@@ -98,7 +99,8 @@ class Rings {
     if (found != rings_.end()) {
       return found->geometry;
     }
-    rings_.push_back({model, std::make_shared<RingGeometry<count>>(ringOf<count>(*model, device, names))});
+    static SharedByModel<std::vector<std::string>, RingGeometry<count>> shared;
+    rings_.push_back({model, shared.get(model, names, [&] { return ringOf<count>(*model, device, names); })});
     return rings_.back().geometry;
   }
 

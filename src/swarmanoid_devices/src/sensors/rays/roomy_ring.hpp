@@ -13,6 +13,7 @@ namespace swarmanoid::devices {
 /// An instance of a ring with a buffer for the readings of all its sensors. @tparam Reading has `value` and `angle`
 template <class Instance, class Reading>
 struct RoomyInstance : SpanReadings<Instance, Reading> {
+  void archive(StateArchive& state) { SpanReadings<Instance, Reading>::archive(state); }
   /// @pre the ring is set
   void makeRoomForRing() {
     this->readings->sensors = this->makeRoom(this->ring->size());

@@ -166,9 +166,10 @@ class Simulation {
   void removeFallen();
   void logNewOverflows();
 
-  std::unique_ptr<World> world_;  // the space, and all objects that act on it
-  std::vector<Row> faulty_;       // scratch of `actuate`
-  std::vector<Row> fallen_;       // scratch of `fall`
+  std::unique_ptr<World> world_;     // the space, and all objects that act on it
+  std::vector<Row> faulty_;          // scratch of `actuate`
+  std::vector<Row> fallen_;          // scratch of `fall`
+  std::unique_ptr<Snapshot> start_;  // the state that `reset` starts from; null: it builds the world anew
   InterventionPlayer player_;
   bool are_phases_timed_ = false;
   PhaseTimes phase_times_;

@@ -6,6 +6,7 @@
 /// Threads  add and remove only at a tick boundary; slots of different robots may be written concurrently.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,10 +33,11 @@ class Bank final : public BankBase {
   Device& add(Row row) {
     SWARMANOID_EXPECTS(find(row) == nullptr);
     if (holes_.empty()) {
-      chunks_.push_back(std::make_unique<Device[]>(kChunkSize));
-      for (std::size_t i = kChunkSize; i > 0; --i) {
+      chunks_.push_back(std::make_unique<Device[]>(next_chunk_));
+      for (std::size_t i = next_chunk_; i > 0; --i) {
         holes_.push_back(&chunks_.back()[i - 1]);
       }
+      next_chunk_ = std::min(2 * next_chunk_, kLargestChunk);
     }
     Device* slot = holes_.back();
     holes_.pop_back();
@@ -56,8 +58,9 @@ class Bank final : public BankBase {
   void* findSlot(Row row) override { return find(row); }
 
  private:
-  static constexpr std::size_t kChunkSize = 256;
+  static constexpr std::size_t kLargestChunk = 256;
 
+  std::size_t next_chunk_ = 16;  // slots; small worlds are many
   std::vector<std::unique_ptr<Device[]>> chunks_;
   std::vector<Device*> holes_;
   RowMap<Device*> slot_of_row_;
