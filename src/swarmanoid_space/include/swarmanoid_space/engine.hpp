@@ -5,7 +5,8 @@
 /// dimension internally; everything that it reads from the space or writes to it is in W. It may read anything in the
 /// space. It writes only the members of MoveAccess and ConnectAccess (access.hpp), for the entities that it moves.
 ///
-/// Phases   configure, reconfigure, prepare, add, remove, place, clear, archive: between ticks. readMirrors, move: `move`.
+/// Phases   configure, reconfigure, prepare, add, remove, place, clear, archive: between ticks. readMirrors, move:
+/// `move`.
 ///          connect: `connect`. draw, health: any time except during `move`.
 /// Threads  engines move concurrently; rays are cast from many threads.
 /// Repeats  the same calls give the same bits.
@@ -93,10 +94,10 @@ class Engine : public EngineLimits, public RayTarget {
   /// Makes and breaks grips from the actuation of this tick.
   virtual void connect(const Space& space, const ConnectAccess& access) = 0;
 
-  /// Saves or loads all state of its own that later ticks depend on (state_archive.hpp), for snapshots of a run; not the
-  /// parameters. When it loads, the engine has the same entities with the same roles, perhaps added in another order,
-  /// and the space has their state already. So values are saved by entity, in the order of entity numbers. The default
-  /// declares that the state is not defined: a snapshot is then refused, with the engine's name.
+  /// Saves or loads all state of its own that later ticks depend on (state_archive.hpp), for snapshots of a run; not
+  /// the parameters. When it loads, the engine has the same entities with the same roles, perhaps added in another
+  /// order, and the space has their state already. So values are saved by entity, in the order of entity numbers. The
+  /// default declares that the state is not defined: a snapshot is then refused, with the engine's name.
   virtual void archive(const Space& /*space*/, StateArchive& state) { state.refuse(); }
 
   /// The gravity that acts on its entities in the next tick, downwards [m/s2]; an inertial unit at rest reads it. An
