@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Snapshots in Python: state of Python controllers and rules, forks, many worlds, and what is refused."""
+"""Snapshots in Python: state of Python controllers and rules, forks, many worlds, and refusals."""
 
 import copy
 import threading

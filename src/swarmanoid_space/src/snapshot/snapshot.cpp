@@ -1,4 +1,4 @@
-#include "swarmanoid_space/simulation/snapshot.hpp"
+#include "swarmanoid_space/snapshot/snapshot.hpp"
 
 #include <utility>
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "../world/world.hpp"
-#include "swarmanoid_space/simulation/snapshot.hpp"
+#include "swarmanoid_space/snapshot/snapshot.hpp"
 
 namespace swarmanoid {
 

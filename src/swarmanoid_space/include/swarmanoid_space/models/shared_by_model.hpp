@@ -1,6 +1,6 @@
-/// What is computed from the model of an entity, such as its outline in a plane or the geometry of a ring of sensors:
-/// one object for all entities of the model in all worlds of the process. It is kept as long as it is used. So many
-/// small worlds need little memory and start fast, and the object stays in the processor's cache from world to world.
+/// Objects that are computed from the model of an entity, such as its outline in a plane or the geometry of a ring of
+/// sensors: one for all entities of the model in all worlds of the process. An object is kept as long as it is used. So
+/// many small worlds need little memory and start fast, and their common objects stay in the processor's cache.
 ///
 /// Threads  get may be called from any thread; it locks.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace swarmanoid {
 
-/// @tparam Key what the object depends on besides the model, with operator==
+/// @tparam Key of an object besides its model, with operator==
 template <class Key, class Value>
 class SharedByModel {
  public:

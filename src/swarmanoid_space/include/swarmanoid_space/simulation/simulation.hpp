@@ -14,7 +14,7 @@
 #include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/observer.hpp"
 #include "swarmanoid_space/simulation/intervention_player.hpp"
-#include "swarmanoid_space/simulation/snapshot.hpp"
+#include "swarmanoid_space/snapshot/snapshot.hpp"
 #include "swarmanoid_space/space.hpp"
 #include "swarmanoid_space/world/controller_failure.hpp"
 #include "swarmanoid_space/world/engine_report.hpp"

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "build.hpp"
-#include "distribute.hpp"
-#include "entities.hpp"
+#include "../world/build.hpp"
+#include "../world/distribute.hpp"
+#include "../world/entities.hpp"
 
 namespace swarmanoid {
 namespace {

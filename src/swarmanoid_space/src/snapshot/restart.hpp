@@ -3,8 +3,7 @@
 
 #include <memory>
 
-#include "../snapshot/snapshot_data.hpp"
-#include "world.hpp"
+#include "snapshot_data.hpp"
 
 namespace swarmanoid {
 
