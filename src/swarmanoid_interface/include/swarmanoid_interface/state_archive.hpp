@@ -182,8 +182,8 @@ class StateArchive {
   template <class Container>
   void each(Container& container) {
     using Value = typename Container::value_type;
-    if constexpr ((std::is_arithmetic_v<Value> ||
-                   std::is_same_v<Value, std::byte>)&&!std::is_same_v<Container, std::deque<Value>>) {
+    constexpr bool kIsContiguous = !std::is_same_v<Container, std::deque<Value>>;
+    if constexpr (kIsContiguous && (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::byte>)) {
       bytes(container.data(), container.size() * sizeof(Value));
     } else {
       for (Value& one : container) {

@@ -1,9 +1,8 @@
 /// Saves and loads the structs of devices, for snapshots of a run.
 ///
 /// Phase    between ticks.
-/// Spans    archiveDevice leaves them as they are; archiveSpan saves and loads their elements, for devices with
-/// buffers. Errors   StateNotDefined for a struct that cannot be copied as bytes, or an instance without a function
-/// `archive`.
+/// Spans    archiveDevice leaves them as they are; archiveSpan saves and loads their elements.
+/// Errors   StateNotDefined for a struct that cannot be copied as bytes, or an instance without a function `archive`.
 #pragma once
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 /// dimension internally; everything that it reads from the space or writes to it is in W. It may read anything in the
 /// space. It writes only the members of MoveAccess and ConnectAccess (access.hpp), for the entities that it moves.
 ///
-/// Phases   configure, reconfigure, prepare, add, remove, place, clear, archive: between ticks. readMirrors, move:
-/// `move`.
+/// Phases   configure, reconfigure, prepare, add, remove, place, clear, archive: between ticks.
+///          readMirrors, move: `move`.
 ///          connect: `connect`. draw, health: any time except during `move`.
 /// Threads  engines move concurrently; rays are cast from many threads.
 /// Repeats  the same calls give the same bits.
