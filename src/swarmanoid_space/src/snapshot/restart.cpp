@@ -43,7 +43,9 @@ void restartRobots(World& world) {
 
 std::unique_ptr<const Snapshot::Data> startOf(World& world) {
   constexpr std::size_t kMostEntities = 200;
-  if (world.space.entities.size() > kMostEntities || world.supplied.scripts != nullptr) {
+  const SuppliedParts& supplied = world.supplied;
+  const bool is_of_files = supplied.rules.empty() && supplied.group_controllers.size() <= 1;  // one: the agents
+  if (world.space.entities.size() > kMostEntities || supplied.scripts != nullptr || !is_of_files) {
     return nullptr;
   }
   try {
