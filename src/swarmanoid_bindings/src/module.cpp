@@ -2,6 +2,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "agent_world.hpp"
 #include "interventions.hpp"
 #include "plugins/robot_host.hpp"
 #include "plugins/rule_world.hpp"
@@ -26,6 +27,7 @@ PYBIND11_MODULE(_core, module) {
   swarmanoid::bindings::bindRuleWorld(module);
   swarmanoid::bindings::bindSimulation(module);
   swarmanoid::bindings::bindWorlds(module);
+  swarmanoid::bindings::bindAgentWorld(module);
   module.def("installed_experiments", &swarmanoid::installedExperiments, "Names of the installed experiments, sorted.");
   swarmanoid::bindings::waitForTicksAtExit();
   // for embedding/python_host.cpp, a separate library, so that programs without Python do not load this module

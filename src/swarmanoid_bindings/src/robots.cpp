@@ -23,7 +23,7 @@ py::array_t<double> tableOf(const std::vector<Row>& rows, py::ssize_t width, Fil
     fill(row, line);
     line += width;
   }
-  return table;
+  return withoutWriting(std::move(table));
 }
 
 template <class Draw>
@@ -95,7 +95,7 @@ py::array_t<std::int64_t> Devices::owners(const std::string& type) const {
       owners.push_back(static_cast<std::int64_t>(i));
     }
   }
-  return py::array_t<std::int64_t>(static_cast<py::ssize_t>(owners.size()), owners.data());
+  return withoutWriting(py::array_t<std::int64_t>(static_cast<py::ssize_t>(owners.size()), owners.data()));
 }
 
 namespace {
@@ -122,7 +122,7 @@ Robots::Robots(const Space& space, std::shared_ptr<const Moment> moment, std::sh
       whole_moment_(std::move(moment)),
       moment_(whole_moment_),
       selection_(std::move(selection)),
-      readings_(moment_, space.readings, rowsIn(selection_), selection_->readings, ArrayUse::kCopy),
+      readings_(moment_, space.readings, rowsIn(selection_), selection_->readings, ArrayUse::kLook),
       commands_(moment_, space.commands, rowsIn(selection_), selection_->commands, use_of_commands) {}
 
 Robots robotsOf(const Space& space, std::shared_ptr<const Moment> moment) {
@@ -169,7 +169,7 @@ py::array_t<std::int64_t> Robots::numbers() const {
   py::array_t<std::int64_t> numbers(static_cast<py::ssize_t>(rows().size()));
   std::transform(rows().begin(), rows().end(), numbers.mutable_data(),
                  [&](Row row) { return static_cast<std::int64_t>(space().entities.number[row]); });
-  return numbers;
+  return withoutWriting(std::move(numbers));
 }
 
 Robots Robots::take(const std::vector<std::size_t>& places) const {
@@ -205,7 +205,7 @@ py::array_t<double> Robots::property(const std::string& name) const {
   std::transform(rows().begin(), rows().end(), values.mutable_data(), [&](Row row) {
     return space().property(row, name).value_or(std::numeric_limits<double>::quiet_NaN());
   });
-  return values;
+  return withoutWriting(std::move(values));
 }
 
 py::array_t<double> SteppedRobots::uniform(double low, double high) const {

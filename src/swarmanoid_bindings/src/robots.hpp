@@ -1,5 +1,6 @@
 /// Robots of a run in Python, in the order of their entity numbers: names, poses, readings and commands as arrays with
-/// one row per robot.
+/// one row per robot. Arrays are read-only copies, except commands in a step (field_arrays.hpp) and drawn numbers,
+/// which belong to the caller.
 ///
 /// Units    SI, radians; frame W.
 /// Threads  the GIL must be held. Valid only in the moment of creation (moment.hpp).
@@ -59,6 +60,9 @@ class Devices {
 class Robots {
  public:
   Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows);
+  /// The same of a selection, whose addresses of devices are used again.
+  Robots(const Space& space, std::shared_ptr<const Moment> moment, std::shared_ptr<RobotSelection> selection)
+      : Robots(space, std::move(moment), std::move(selection), ArrayUse::kLook) {}
 
   std::size_t size() const { return rows().size(); }
   std::vector<std::string> names() const;

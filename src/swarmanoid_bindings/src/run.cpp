@@ -52,7 +52,13 @@ class Ticking {
 
 }  // namespace
 
-Run::Run(ExperimentSource source, Experiment experiment, RunContext context, PythonParts parts)
+std::shared_ptr<Simulation> Run::makeSimulation(Experiment experiment, RunContext context, SuppliedParts parts) {
+  auto simulation = std::make_shared<Simulation>(std::move(experiment), std::move(context), std::move(parts));
+  simulation->start();
+  return simulation;
+}
+
+Run::Run(ExperimentSource source, Experiment experiment, RunContext context, PythonParts parts, const Make& make)
     : source_(std::move(source)), parts_(std::move(parts)) {
   SuppliedParts supplied;
   for (const auto& [id, controller] : parts_.controllers) {
@@ -67,8 +73,7 @@ Run::Run(ExperimentSource source, Experiment experiment, RunContext context, Pyt
   }
   supplied.scripts = makeScriptsOfPython(moment_, thrown_);
   try {
-    simulation_ = std::make_unique<Simulation>(std::move(experiment), std::move(context), std::move(supplied));
-    simulation_->start();
+    simulation_ = make(std::move(experiment), std::move(context), std::move(supplied));
   } catch (...) {
     thrown_->raise();
     throw;
@@ -152,6 +157,18 @@ std::uint64_t Run::tick(std::uint64_t count) {
     made = makeTicks(count);
   });
   return made;
+}
+
+void Run::actUnlocked(const std::function<void()>& action) {
+  requireOpen();
+  act([&] {
+    const WithoutLock unlocked;
+    action();
+  });
+}
+
+Robots Run::robotsIn(const std::shared_ptr<RobotSelection>& selection) const {
+  return {simulation().space(), moment_, selection};
 }
 
 void Run::sense() {

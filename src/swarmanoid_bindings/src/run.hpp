@@ -5,6 +5,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,9 +31,14 @@ struct PythonParts {
 
 class Run {
  public:
+  /// Makes the simulation of a run, and starts it.
+  using Make =
+      std::function<std::shared_ptr<Simulation>(Experiment experiment, RunContext context, SuppliedParts parts)>;
+
   /// @throws ConfigError, pybind11::error_already_set for exceptions of Python parts
   /// @param source of the experiment, for `fork`
-  Run(ExperimentSource source, Experiment experiment, RunContext context, PythonParts parts);
+  Run(ExperimentSource source, Experiment experiment, RunContext context, PythonParts parts,
+      const Make& make = &Run::makeSimulation);
   ~Run() { ++moment_->number; }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -53,6 +60,12 @@ class Run {
   void apply(const Intervention& intervention);
   /// Completes the output of observers, and destroys the controllers.
   void close();
+  /// Calls action() without the GIL; it may make ticks, sense or reset. Exceptions as of `tick`.
+  void actUnlocked(const std::function<void()>& action);
+  /// Number that grows with each tick, reset and intervention.
+  std::uint64_t momentNumber() const { return moment_->number; }
+  /// The robots of some rows, in their order. @param selection kept while the rows stay the same
+  Robots robotsIn(const std::shared_ptr<RobotSelection>& selection) const;
 
   /// @throws std::runtime_error while ticks are made, by another thread or by a caller of the current controller
   const Simulation& simulation() const;
@@ -65,6 +78,7 @@ class Run {
   /// @}
 
  private:
+  static std::shared_ptr<Simulation> makeSimulation(Experiment experiment, RunContext context, SuppliedParts parts);
   /// @throws std::runtime_error
   void requireIdle() const;
   void requireOpen() const;
@@ -78,7 +92,7 @@ class Run {
   std::shared_ptr<Moment> moment_ = std::make_shared<Moment>();
   std::shared_ptr<Thrown> thrown_ = std::make_shared<Thrown>();
   std::vector<std::shared_ptr<HoldsObjects>> holders_;  // controllers and rules
-  std::unique_ptr<Simulation> simulation_;
+  std::shared_ptr<Simulation> simulation_;
   bool is_in_tick_ = false;
   bool is_closed_ = false;
 };

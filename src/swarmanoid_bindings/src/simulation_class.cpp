@@ -6,17 +6,18 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "events.hpp"
-#include "experiment_source.hpp"
 #include "interventions.hpp"
+#include "metrics.hpp"
+#include "pictures.hpp"
 #include "plugins/object_rules.hpp"
+#include "python/collected.hpp"
 #include "python/python_text.hpp"
 #include "record_of_run.hpp"
 #include "run.hpp"
+#include "run_options.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
-#include "swarmanoid_recording/output/run_files.hpp"
 #include "swarmanoid_space/simulation/run_result.hpp"
 
 namespace py = pybind11;
@@ -24,34 +25,9 @@ namespace py = pybind11;
 namespace swarmanoid::bindings {
 namespace {
 
-/// Arguments of the constructor.
-struct Options {
-  ExperimentSource source;
-  PythonParts parts;
-  std::optional<std::string> out;
-  OutFolder::Rules rules;  // of the folder `out`
-};
-
-/// Rules in the order of the dictionary.
-std::vector<std::pair<std::string, py::object>> rulesIn(const py::dict& rules) {
-  std::vector<std::pair<std::string, py::object>> result;
-  for (const auto& [id, rule] : rules) {
-    result.emplace_back(py::str(id), py::reinterpret_borrow<py::object>(rule));
-  }
-  return result;
-}
-
-std::unique_ptr<Run> makeRun(const Options& options) {
+std::unique_ptr<Run> makeRun(const RunOptions& options) {
   Experiment experiment = read(options.source);
-  RunContext context;
-  context.is_open = false;
-  if (options.out) {
-    RunFiles files;
-    files.prefix = "";
-    files.folder = *options.out;
-    files.rules = options.rules;
-    context.out = openOutFolder(files, experiment);
-  }
+  const RunContext context = contextOf(options, experiment);
   auto run = std::make_unique<Run>(options.source, std::move(experiment), context, options.parts);
   if (context.out != nullptr) {
     context.out->keep();
@@ -61,12 +37,7 @@ std::unique_ptr<Run> makeRun(const Options& options) {
 
 py::dict metricsOf(const Metrics& metrics) {
   py::dict values;
-  for (const auto& [name, value] : metrics) {
-    const auto* const text = std::get_if<std::string>(&value);
-    values[py::str(name)] = text != nullptr
-                                ? py::object(pythonText(*text))
-                                : std::visit([](const auto& held) { return py::object(py::cast(held)); }, value);
-  }
+  addMetrics(metrics, values);
   return values;
 }
 
@@ -142,30 +113,6 @@ void bindState(py::class_<Run>& simulation) {
       .def_property_readonly("record", &recordOfRun, "What a run is made of, as a dictionary.");
 }
 
-/// @return null if the object was not constructed
-Run* madeRun(PyObject* self) {
-  auto* const instance = reinterpret_cast<py::detail::instance*>(self);
-  const auto holder = instance->get_value_and_holder(py::detail::get_type_info(typeid(Run), true));
-  return holder.holder_constructed() ? holder.value_ptr<Run>() : nullptr;
-}
-
-/// Enables Python's garbage collector to find the objects that a simulation holds.
-void letBeCollected(PyHeapTypeObject* heap_type) {
-  PyTypeObject& type = heap_type->ht_type;
-  type.tp_flags |= Py_TPFLAGS_HAVE_GC;
-  type.tp_traverse = [](PyObject* self, visitproc visit, void* argument) {
-    const Run* const run = madeRun(self);
-    const int result = visit(reinterpret_cast<PyObject*>(Py_TYPE(self)), argument);
-    return result != 0 || run == nullptr ? result : run->visitObjects(visit, argument);
-  };
-  type.tp_clear = [](PyObject* self) {
-    if (Run* const run = madeRun(self)) {
-      run->releaseObjects();
-    }
-    return 0;
-  };
-}
-
 constexpr const char* kSimulationText = R"(A run of an experiment.
 
 Simulation(experiment=None, *, text=None, seed=None, ticks=None, threads=None, overrides={}, controllers={}, rules={},
@@ -202,7 +149,8 @@ void bindSnapshot(py::module_& module) {
 
 void bindSimulation(py::module_& module) {
   bindSnapshot(module);
-  py::class_<Run> simulation(module, "Simulation", kSimulationText, py::custom_type_setup(&letBeCollected));
+  bindPictures(module);
+  py::class_<Run> simulation(module, "Simulation", kSimulationText, py::custom_type_setup(&letBeCollected<Run>));
   refuseUnmade<Run>();
   refuseCopies(simulation, "make another one, and repeat in it what was done to this one");
   simulation
@@ -250,6 +198,14 @@ void bindSimulation(py::module_& module) {
       .def("fork", &Run::fork,
            "Another simulation of the same experiment in the state of this one, which writes no files. Python "
            "controllers and rules are copied.")
+      .def(
+          "pictures",
+          [](const Run& run, const std::map<std::string, py::object>& parameters) {
+            return std::make_unique<Pictures>([&run]() -> const Simulation& { return run.simulation(); }, parameters);
+          },
+          py::arg("parameters") = py::dict(), py::keep_alive<0, 1>(),
+          "A camera without a GPU: each call of `take()` returns the world as it is, (height, width, 3), uint8. "
+          "parameters: those of the visualisation opengl_render, such as {'window_size': (640, 480)}.")
       .def("reset", &Run::reset, py::arg("seed") = py::none(), "Back to the state before the first tick.")
       .def("close", &Run::close, "Completes the files that the run writes; there are no ticks afterwards.")
       .def(

@@ -12,7 +12,10 @@
 #include <vector>
 
 #include "experiment_source.hpp"
+#include "metrics.hpp"
+#include "pictures.hpp"
 #include "plugins/object_rules.hpp"
+#include "python/field_arrays.hpp"
 #include "python/without_lock.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
@@ -130,6 +133,20 @@ void step(Worlds& worlds, const Actions& actions) {
   worlds.step(numbers);
 }
 
+void requireWorld(const Worlds& worlds, std::size_t world) {
+  if (world >= worlds.count()) {
+    throw py::index_error("found the world " + std::to_string(world) + ", allowed: less than " +
+                          std::to_string(worlds.count()));
+  }
+}
+
+py::dict metricsOfWorld(const Worlds& worlds, std::size_t world) {
+  requireWorld(worlds, world);
+  py::dict values;
+  addMetrics(worlds.world(world).metrics(), values);
+  return values;
+}
+
 Worlds& in(const py::object& self) { return self.cast<Worlds&>(); }
 
 void bindArrays(py::class_<Worlds>& type) {
@@ -174,9 +191,37 @@ void bindArrays(py::class_<Worlds>& type) {
           [](const Worlds& worlds) {
             py::array_t<double> poses(std::vector<std::size_t>{worlds.count(), worlds.slots(), 7});
             worlds.readPoses(poses.mutable_data());
-            return poses;
+            return withoutWriting(std::move(poses));
           },
-          "(worlds, robots, 7): position [m] and orientation as a quaternion x, y, z, w, in W; a copy.");
+          "(worlds, robots, 7): position [m] and orientation as a quaternion x, y, z, w, in W; a copy.")
+      .def_property_readonly(
+          "twists",
+          [](const Worlds& worlds) {
+            py::array_t<double> twists(std::vector<std::size_t>{worlds.count(), worlds.slots(), 6});
+            worlds.readTwists(twists.mutable_data());
+            return withoutWriting(std::move(twists));
+          },
+          "(worlds, robots, 6): linear [m/s] and angular velocity [rad/s], in W; a copy.")
+      .def_property_readonly(
+          "ticks",
+          [](const Worlds& worlds) {
+            py::array_t<std::int64_t> ticks(static_cast<py::ssize_t>(worlds.count()));
+            for (std::size_t i = 0; i < worlds.count(); ++i) {
+              ticks.mutable_at(i) = static_cast<std::int64_t>(worlds.world(i).space().tick);
+            }
+            return withoutWriting(std::move(ticks));
+          },
+          "(worlds,): finished ticks of each world; a copy.")
+      .def_property_readonly(
+          "state",
+          [](const Worlds& worlds) {
+            py::array_t<double> state(
+                std::vector<std::size_t>{worlds.count(), worlds.stateRows(), Worlds::kStateNumbers});
+            worlds.readState(state.mutable_data());
+            return withoutWriting(std::move(state));
+          },
+          "(worlds, robots and other movable entities, 14): 1, position [m], quaternion x, y, z, w, linear [m/s] and "
+          "angular velocity [rad/s] in W, or 0 without an entity: for critics that know the whole world; a copy.");
 }
 
 constexpr const char* kText = R"(Many worlds of one experiment, stepped by one call, with all their robots as arrays.
@@ -239,6 +284,17 @@ void bindWorlds(py::module_& module) {
            "Goes on from a snapshot. worlds: (worlds,), bool, which of them; None: all.")
       .def("step", &step, py::arg("actions"),
            "Makes a step of all worlds. actions: (worlds, robots, numbers); rows without a robot are ignored.")
+      .def(
+          "pictures",
+          [](const Worlds& worlds, std::size_t world, const std::map<std::string, py::object>& parameters) {
+            requireWorld(worlds, world);
+            return std::make_unique<Pictures>([&worlds, world]() -> const Simulation& { return worlds.world(world); },
+                                              parameters);
+          },
+          py::arg("world"), py::arg("parameters") = py::dict(), py::keep_alive<0, 1>(),
+          "A camera that looks at a world, as Simulation.pictures.")
+      .def("metrics", &metricsOfWorld, py::arg("world"),
+           "What rules and observers of a world measure, by 'id.name', as a dictionary.")
       .def(
           "state_hash",
           [](const Worlds& worlds, std::size_t world) {

@@ -16,14 +16,14 @@ docs/tutorial/swarm_in_python.md is an introduction, docs/how-to/simulate_in_pyt
 rules, docs/how-to/record_and_analyse.md shows how to `load` recorded runs. Simulations in different threads run in parallel."""
 
 from ._core import (Answer, Delete, Devices, Disc, ErrorModel, ExperimentError, FieldArrays, HandOver, InterventionError,
-                    ListArrays, Move, Paint, Robots, RuleError, SetCommandSource, SetEngineParameters, SetFault, SetProperty, Simulation,
+                    ListArrays, Move, Paint, Pictures, Robots, RuleError, SetCommandSource, SetEngineParameters, SetFault, SetProperty, Simulation,
                     Snapshot, Spawn, SteppedRobots, World, Worlds, fields_of, installed_experiments)
 
 from ._single import Robot
 from .recording import RecordedEvent, RecordedReadings, Recording, RecordingError, load
 
 __all__ = ["Answer", "Delete", "Devices", "Disc", "ErrorModel", "ExperimentError", "FieldArrays", "HandOver",
-           "InterventionError", "ListArrays", "Move", "Paint", "RecordedEvent", "RecordedReadings", "Recording",
+           "InterventionError", "ListArrays", "Move", "Paint", "Pictures", "RecordedEvent", "RecordedReadings", "Recording",
            "RecordingError", "Robots", "RuleError", "SetCommandSource", "SetEngineParameters", "SetFault", "SetProperty",
            "Simulation", "Snapshot", "Spawn", "SteppedRobots", "World", "Worlds", "fields_of", "installed_experiments", "load", "Robot"]
 

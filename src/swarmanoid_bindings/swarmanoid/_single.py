@@ -45,14 +45,22 @@ def number_field(slot, name, device, is_writable):
 
 
 def array_field(slot, name, device, is_writable):
-    """A property for several numbers: the same array in each step."""
-    def get(part):
-        return getattr_slot(part)
+    """A property for several numbers. Readings are read-only copies, which keep the values of their step. Commands are an array
+    that is written back at the end of the step, the same for each access in it, and read-only from then on."""
+    row_of = slot.__get__
 
-    getattr_slot = slot.__get__
+    def get_reading(part):
+        copy = row_of(part).copy()
+        copy.setflags(write=False)
+        return copy
+
+    def get_command(part):
+        return part._host.hand_out(row_of(part))
 
     def put(part, value):
-        array = getattr_slot(part)
+        if not part._host.is_in_step:
+            raise RuntimeError("the robot is between two steps: this can be done in a step of its controller")
+        array = get_command(part)
         given = numpy.asarray(value)
         with numpy.errstate(all="ignore"):
             converted = given.astype(array.dtype) if given.dtype.kind in "biuf" else None
@@ -63,7 +71,7 @@ def array_field(slot, name, device, is_writable):
         except ValueError:
             raise ValueError(f"{device}.{name}: found the shape {given.shape}, allowed: {array.shape}") from None
 
-    return property(get, put if is_writable else None)
+    return property(get_command, put) if is_writable else property(get_reading)
 
 
 def list_field(full, device):
@@ -105,7 +113,7 @@ def part_class(device, prefix, fields, lists, is_writable):
     return made
 
 
-def bind(part, host, arrays, at, is_writable):
+def bind(part, host, arrays, at):
     """Connects the part to the robot with index `at` of the host. @param arrays by name of the field"""
     kind = type(part)
     part._host = host
@@ -113,13 +121,11 @@ def bind(part, host, arrays, at, is_writable):
     for word in kind._numbers:
         setattr(part, f"_{word}", memoryview(arrays[kind._prefix + word]))
     for word in kind._arrays:
-        row = arrays[kind._prefix + word][at]
-        row.flags.writeable = is_writable
-        setattr(part, f"_{word}", row)
+        setattr(part, f"_{word}", arrays[kind._prefix + word][at])
     for word, inner in kind._parts.items():
         if not hasattr(part, f"_{word}"):
             setattr(part, f"_{word}", inner())
-        bind(getattr(part, f"_{word}"), host, arrays, at, is_writable)
+        bind(getattr(part, f"_{word}"), host, arrays, at)
 
 
 CLASSES = {}
@@ -143,7 +149,8 @@ class Robot:
 
     readings and commands are its devices by type, robot.readings["footbot_proximity"].value, with the fields of the reference
     of devices, in SI units and radians. A device stays the same object, so it can be stored in `init`; its readings are those of
-    the current step."""
+    the current step. Arrays belong to their step: those of readings are read-only, those of commands are written in place until
+    the step ends."""
 
     def __init__(self, host):
         self.readings = Devices()
@@ -159,7 +166,7 @@ class Robot:
             for device, (arrays, lists) in found.items():
                 if device not in devices:
                     devices[device] = class_of(device, arrays, lists, is_writable)()
-                bind(devices[device], host, arrays, at, is_writable)
+                bind(devices[device], host, arrays, at)
 
     @property
     def tick(self):

@@ -7,8 +7,8 @@ import unittest
 
 import numpy
 import swarmanoid
-from swarmanoid import Delete
-from swarmanoid.environments import Box, Env, ParallelEnv
+from swarmanoid import Delete, Move
+from swarmanoid.environments import Box, Discrete, Env, ParallelEnv
 
 WHEELS = {"footbot_wheels.left": (-6, 6), "footbot_wheels.right": (-6, 6)}
 FEW = {"arena.distribute.quantity": 30}
@@ -154,6 +154,116 @@ class EnvironmentsTest(unittest.TestCase):
                     self.assertEqual(sum(not line.startswith("#") for line in table), 4)
                 with self.assertRaisesRegex(swarmanoid.ExperimentError, "poses.txt.* which is there already"):
                     kind(text=WRITES_A_TABLE, out=folder, **options(overrides={}))
+
+    def test_actions_keep_their_precision(self):
+        speeds = numpy.full((30, 2), 1 / 3)                     # no number in single precision
+
+        def controller(robots):
+            robots.commands["footbot_wheels"].left, robots.commands["footbot_wheels"].right = speeds.T
+
+        run = swarmanoid.Simulation("diffusion", seed=6, controllers={"dc": controller}, overrides=FEW)
+        run.tick(3)
+        env = Env("diffusion", **options())
+        env.reset(seed=6)
+        for _ in range(3):
+            env.step(speeds)
+        self.assertEqual(env.simulation.state_hash, run.state_hash)
+        env.simulation.tick(2)
+        run.tick(2)
+        self.assertEqual(env.simulation.state_hash, run.state_hash, "ticks of the simulation repeat the actions")
+        env.simulation.apply(Move("fb_3", (5, 5, 0), heading=1.25))
+        self.assertEqual([5, 5], env.state()[2, 1:3].tolist())
+        self.assertEqual(6, env.step(speeds)[4]["ticks"])
+
+    def test_robots_are_chosen_by_number(self):
+        env = ParallelEnv("diffusion", **options(choices=[[4, 4], [-2.5, 2.5]]))
+        plain = ParallelEnv("diffusion", **options())
+        env.reset(seed=3)
+        plain.reset(seed=3)
+        self.assertEqual(env.action_space("fb_2"), Discrete(2))
+        for _ in range(9):
+            chosen = {agent: env.action_space(agent).sample() for agent in env.agents}
+            env.step(chosen)
+            plain.step({agent: [[4, 4], [-2.5, 2.5]][number] for agent, number in chosen.items()})
+        self.assertEqual(env.simulation.state_hash, plain.simulation.state_hash)
+        with self.assertRaisesRegex(ValueError, "allowed: whole numbers from 0 to 1"):
+            env.step({agent: 2 for agent in env.agents})
+
+    def test_the_state_is_that_of_the_whole_world(self):
+        env = ParallelEnv("foraging", **options(overrides={}, actions=WHEELS, state="world"))
+        env.reset(seed=4)
+        env.step({agent: [3, 5] for agent in env.agents})
+        state, entities = env.state(), env.simulation.entities
+        self.assertEqual((4 + 6, 14), state.shape)
+        places = [entities.names.index(name) for name in env.possible_agents + [f"prey_{i}" for i in range(1, 7)]]
+        numpy.testing.assert_array_equal(state[:, 1:8], entities.poses[places])
+        numpy.testing.assert_array_equal(state[:, 8:], entities.twists[places])
+        self.assertTrue((state[:, 0] == 1).all() and state[:4, 8:].any())
+        env.simulation.apply(Delete("fb_2"))
+        self.assertFalse(env.state()[1].any())
+        with self.assertRaisesRegex(ValueError, "state: found 'all', allowed: observations, world"):
+            ParallelEnv("foraging", **options(overrides={}, state="all"))
+
+    def test_lists_are_read_by_direction(self):
+        fields = ["footbot_camera.blobs.distance[sectors=6 near maximum=2.5 colors=yellow,green]",
+                  "footbot_camera.blobs.bearing[count=2]", "footbot_camera.blobs.distance[sectors=3 maximum=4]"]
+        env = Env("foraging", **options(observations=fields, overrides={}))
+        self.assertEqual(([0] * 12 + [-1] * 2 + [0] * 3, [1] * 17),
+                         (env.observation_space.low[0].tolist(), env.observation_space.high[0].tolist()))
+        env.reset(seed=5)
+        seen = env.step(numpy.full((4, 2), [2, 3]))[0]
+        env.simulation.sense()
+        blobs = env.simulation.robots.readings["footbot_camera"].blobs
+        expected = numpy.zeros((4, 17))
+        for robot in range(4):
+            mine = blobs.robot == robot
+            bearing, distance = blobs.bearing[mine].astype(float), blobs.distance[mine].astype(float)
+            red, green = blobs.color.red[mine], blobs.color.green[mine]
+            for k in range(len(bearing)):
+                sector = int(numpy.floor(bearing[k] / (2 * numpy.pi / 6) + 0.5)) % 6
+                third = int(numpy.floor(bearing[k] / (2 * numpy.pi / 3) + 0.5)) % 3
+                place = sector + (0 if red[k] == 255 else 6)
+                if green[k] == 255:
+                    expected[robot, place] = max(expected[robot, place], 1 - min(distance[k], 2.5) / 2.5)
+                expected[robot, 14 + third] = max(expected[robot, 14 + third], min(distance[k], 4) / 4)
+            expected[robot, 12:12 + min(2, len(bearing))] = bearing[:2] / numpy.pi
+        numpy.testing.assert_allclose(seen, expected, rtol=1e-6)
+        self.assertGreater(numpy.count_nonzero(seen[:, 6:12]), 0, "the nest is in sight")
+
+    def test_mistakes_in_lists_are_named(self):
+        camera = "footbot_camera.blobs.distance"
+        for field, text in ((camera, rf"which is in a list, allowed: {camera}\[sectors=8\]"),
+                            (f"{camera}[sectors=8]", "distance: found values .*, allowed: with minimum and maximum"),
+                            (f"{camera}[maximum=2]", "allowed: with either count or sectors"),
+                            (f"{camera}[sectors=1 maximum=2]", "sectors: found '1', allowed: a whole number from 2 to 1000"),
+                            (f"{camera}[sectors=4 maximum=2 colors=pink]", "colors: found 'pink'"),
+                            (f"{camera}[sectors=4 maximum=2 nere]", "did you mean 'near'"),
+                            ("footbot_camera.blobs.distnce[sectors=4]", "did you mean 'footbot_camera.blobs.distance'")):
+            with self.subTest(field), self.assertRaisesRegex(ValueError, text):
+                Env("foraging", **options(observations=[field], overrides={}))
+
+    def test_a_metric_rewards(self):
+        env = Env("aggregation", **options(reward="-dispersion.second_moment", observations=["footbot_camera.overflowed"],
+                                           overrides={"arena.distribute.quantity": 5}))
+        env.reset(seed=7)
+        actions = numpy.full((5, 2), [4.0, 3.0])
+        self.assertEqual(0.0, env.step(actions)[1], "rules measure after the first tick")
+        before = env.simulation.metrics["dispersion.second_moment"]
+        rewards = [env.step(actions)[1] for _ in range(6)]
+        self.assertAlmostEqual(5 * (before - env.simulation.metrics["dispersion.second_moment"]), sum(rewards), places=9)
+        with self.assertRaisesRegex(ValueError, "reward: found the metric 'dispersion', allowed: dispersion.largest_cluster, "):
+            Env("aggregation", **options(reward="dispersion", observations=["footbot_camera.overflowed"], overrides={}))
+
+    def test_pictures(self):
+        env = Env("diffusion", **options(render_mode="rgb_array", camera={"window_size": (64, 48)}))
+        before = env.render()
+        self.assertEqual(((48, 64, 3), numpy.uint8), (before.shape, before.dtype))
+        numpy.testing.assert_array_equal(before, env.render())
+        for _ in range(30):
+            env.step(numpy.full((30, 2), 6.0))
+        self.assertTrue((before != env.render()).any())
+        with self.assertRaisesRegex(ValueError, "render_mode: found 'human', allowed: rgb_array, None"):
+            Env("diffusion", **options(render_mode="human"))
 
     def test_mistakes_are_refused(self):
         with self.assertRaisesRegex(ValueError, "found the field 'footbot_wheels.lft', allowed: footbot_wheels.left, footbot_wheels.right"):

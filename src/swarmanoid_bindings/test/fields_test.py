@@ -101,6 +101,54 @@ class FieldsTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "read-only"):
             commands["footbot_wheels"].left[0] = 9.0
 
+    def test_arrays_that_are_no_commands_are_read_only(self):
+        simulation = swarmanoid.Simulation("object_retrieval")
+        simulation.tick(60)
+        robots = simulation.robots
+        blobs = robots.readings["footbot_camera"].blobs
+        self.assertGreater(len(blobs), 0)
+        wheels = robots.commands["footbot_wheels"]
+        for array in (robots.poses, robots.twists, robots.numbers, robots.property("intensity"),
+                      robots.readings["footbot_proximity"].value, robots.readings.owners("footbot_camera"), wheels.left,
+                      blobs.distance, blobs.color.red, blobs.robot, blobs.counts, simulation.entities.poses):
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                array[0] = 1
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                array += 1
+
+    def test_in_a_step_readings_are_read_only_and_drawn_numbers_belong_to_the_caller(self):
+        kept = []
+
+        def act(robots):
+            kept.append(robots.readings["footbot_proximity"].value)
+            numbers = robots.uniform()
+            numbers *= 0.0
+            self.assertFalse(numbers.any())
+            kept[-1][0] = 1.0
+
+        with self.assertRaisesRegex(ValueError, "read-only"):
+            step_once(act)
+
+    def test_arrays_of_an_earlier_tick_keep_their_values(self):
+        kept = []
+
+        def drive(robots):
+            wheels = robots.commands["footbot_wheels"]
+            wheels.left[:] = robots.tick + 0.25
+            kept.append((robots.tick, robots.poses, robots.readings["footbot_camera"].blobs.distance, wheels.left))
+            copies.append([each.copy() for each in kept[-1][1:]])
+
+        copies = []
+        simulation = swarmanoid.Simulation("object_retrieval", seed=2, controllers={"fc": drive})
+        simulation.tick(25)
+        for (tick, *arrays), expected in zip(kept, copies):
+            for array, before in zip(arrays, expected):
+                numpy.testing.assert_array_equal(array, before)
+            self.assertEqual([tick + 0.25] * 3, arrays[2].tolist())
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                arrays[2][0] = 9.0
+        self.assertFalse((kept[0][1] == kept[24][1]).all(), "the robots have moved")
+
     def test_what_is_written_last_holds(self):
         def drive(robots):
             wheels = robots.commands["footbot_wheels"]

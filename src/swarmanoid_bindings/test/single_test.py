@@ -115,6 +115,40 @@ class SingleTest(unittest.TestCase):
         for i, (_, _, _, _, distance) in enumerate(seen[-3:]):
             numpy.testing.assert_array_equal(distance, blobs.distance[blobs.robot == i])
 
+    def test_arrays_belong_to_their_step(self):
+        class Painter:
+            def init(self, robot, parameters):
+                self.ring = robot.commands["footbot_leds"].ring
+                self.kept = []
+                robots[robot.name] = self
+
+            def step(self, robot):
+                red = self.ring.red
+                red[robot.tick % 12] = 10 * robot.tick + 7
+                red[3:5] += 1
+                self.ring.green = numpy.arange(12) + robot.tick
+                self.ring.green[0] = 99
+                assert self.ring.red is red
+                near = robot.readings["footbot_proximity"].value
+                self.kept.append((red, red.copy(), near, near.copy()))
+
+        robots = {}
+        simulation = swarmanoid.Simulation("object_retrieval", seed=3, controllers={"fc": Painter})
+        simulation.tick(5)
+        ring = simulation.robots.commands["footbot_leds"].ring
+        self.assertEqual([7, 17, 27, 39, 48] + [0] * 7, ring.red[1].tolist())
+        self.assertEqual([99] + list(range(5, 16)), ring.green[2].tolist())
+        for controller in robots.values():
+            self.assertEqual(5, len({each[0].tobytes() for each in controller.kept}), "each step has its array")
+            for red, red_then, near, near_then in controller.kept:
+                numpy.testing.assert_array_equal(red, red_then)
+                numpy.testing.assert_array_equal(near, near_then)
+                for array in (red, near, controller.ring.red):
+                    with self.assertRaisesRegex(ValueError, "read-only"):
+                        array[0] = 1
+            with self.assertRaisesRegex(RuntimeError, "between two steps"):
+                controller.ring.red = 5
+
     def test_robots_come_and_go_and_begin_anew(self):
         made = []
 

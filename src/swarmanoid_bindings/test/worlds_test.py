@@ -157,6 +157,12 @@ class WorldsTest(unittest.TestCase):
         many.reset([False, True])
         self.assertTrue(many.present.all())
 
+    def test_arrays_that_are_copies_are_read_only(self):
+        many = worlds(2)
+        for array in (many.poses, many.twists, many.ticks, many.state):
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                array[0] = 1
+
     def test_a_metric_rewards(self):
         many = Worlds("aggregation", 2, observations=["footbot_camera.overflowed"], actions=WHEELS, seed=2,
                       reward="dispersion.second_moment", overrides={"arena.distribute.quantity": 5})

@@ -8,6 +8,7 @@
 #include "../src/neural/network_inputs.hpp"
 #include "../src/neural/network_outputs.hpp"
 #include "elements.hpp"
+#include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/distance.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
@@ -134,6 +135,28 @@ TEST_F(NetworkPortsTest, ListsAreReadBySectorsAroundTheRobot) {
   EXPECT_EQ(read(devices), (std::vector<double>{0.5, 0.75, 1.0, 0.0})) << "ahead, left, behind, right";
   light.sensors = {};
   EXPECT_EQ(read(devices), std::vector<double>(4, 0.0));
+}
+
+TEST_F(NetworkPortsTest, EachColourHasItsSectors) {
+  std::vector<ColorBlob> blobs(4);
+  blobs[0] = {colors::kYellow, 0.1F, 1.5F};
+  blobs[1] = {colors::kGreen, 3.0F, 0.5F};
+  blobs[2] = {colors::kYellow, -3.0F, 1.75F};
+  blobs[3] = {colors::kRed, 0.0F, 0.25F};
+  FootbotCamera camera;
+  camera.blobs = blobs;
+  robot.provideSensor(FootbotCamera::kType, &camera);
+  const auto read_colors = [&](const std::string& names) {
+    return element("footbot_camera",
+                   {element("blobs", {element("distance", {value("sectors", "2"), value("maximum", "2"),
+                                                           value("near", "true"), value("colors", names)})})});
+  };
+  EXPECT_EQ(read({read_colors("green, yellow")}), (std::vector<double>{0.0, 0.75, 0.25, 0.125}));
+  EXPECT_EQ(refused({read_colors("green, yelow")}).find("file.xml:8: colors: found 'yelow', allowed: "), 0U);
+  EXPECT_EQ(refused({element(
+                "light", {element("sensors", {element("value", {value("sectors", "4"), value("colors", "red")})})})}),
+            "file.xml:7: found the field 'sensors.value' of light in sectors, allowed: without colors, which its "
+            "elements lack");
 }
 
 TEST_F(NetworkPortsTest, TheNearestOfASectorCounts) {

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "frame_files.hpp"
 #include "swarmanoid_rendering/world_view.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/observer.hpp"
+#include "swarmanoid_space/picture_source.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -52,7 +54,7 @@ PluginDescription descriptionOfRender() {
   return description;
 }
 
-class OpenglRender final : public Observer {
+class OpenglRender final : public Observer, public PictureSource {
  public:
   static PluginDescription describe() { return descriptionOfRender(); }
 
@@ -65,10 +67,12 @@ class OpenglRender final : public Observer {
       refuseWithoutPlace(parameters);
     }
     options_.has_shadows = parameters.boolean("use_shadows", true);
+    has_textures_ = parameters.boolean("use_textures", true);
+    threads_ = context.experiment == nullptr ? 1 : static_cast<int>(context.experiment->framework.threads);
     every_ = static_cast<std::uint64_t>(parameters.integer("every", 1));
     if (parameters.boolean("write_frames", false)) {
-      view_.emplace(parameters.boolean("use_textures", true));
-      tracer_.emplace(context.experiment == nullptr ? 1 : static_cast<int>(context.experiment->framework.threads));
+      view_.emplace(has_textures_);
+      tracer_.emplace(threads_);
       files_.emplace(context, parameters, id);
     }
   }
@@ -81,6 +85,22 @@ class OpenglRender final : public Observer {
     if (space.tick % every_ != 0) {
       return;
     }
+    files_->write(toPng(picture(space)));
+  }
+
+  /// Without `draw` in each tick nothing notes changes of the fixed part, so all is shown anew.
+  Pixels take(const Space& space) override {
+    if (!tracer_) {
+      tracer_.emplace(threads_);
+    }
+    view_.emplace(has_textures_);
+    view_->follow(space);
+    Picture taken = picture(space);
+    return {taken.width, taken.height, std::move(taken.rgb)};
+  }
+
+ private:
+  Picture picture(const Space& space) {
     if (sees_all_) {
       const Eigen::Vector3d far = space.farCorner();
       camera_ = overview(
@@ -89,10 +109,9 @@ class OpenglRender final : public Observer {
       sees_all_ = false;  // the camera stays there
     }
     view_->show(space, *tracer_);
-    files_->write(toPng(tracer_->render(camera_, width_, height_, options_)));
+    return tracer_->render(camera_, width_, height_, options_);
   }
 
- private:
   /// Highest z of the movable entities [m]: arenas are often far higher.
   static double topOf(const Space& space) {
     double top = 0.0;
@@ -141,8 +160,10 @@ class OpenglRender final : public Observer {
   Camera camera_;
   bool sees_all_ = false;  // the first frame places the camera so that it sees the whole arena
   RayTracer::Options options_;
+  bool has_textures_ = true;
+  int threads_ = 1;
   std::uint64_t every_ = 1;
-  std::optional<WorldView> view_;  // these three are set only if frames are written
+  std::optional<WorldView> view_;  // these are set only if frames are written or pictures are taken
   std::optional<RayTracer> tracer_;
   std::optional<FrameFiles> files_;
 };

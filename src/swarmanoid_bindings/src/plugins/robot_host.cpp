@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
 
 #include "object_rules.hpp"
@@ -50,7 +51,25 @@ void RobotHost::begin() {
   }
 }
 
+py::array RobotHost::handOut(const py::array& row) {
+  if (!step_) {
+    return withoutWriting(py::array(row.attr("copy")()));
+  }
+  const auto known = handed_out_.find(row.ptr());
+  if (known != handed_out_.end()) {
+    return known->second.array;
+  }
+  return handed_out_.emplace(row.ptr(), HandedOut{row, py::array(row.attr("copy")())}).first->second.array;
+}
+
 void RobotHost::end() {
+  for (auto& [key, handed] : handed_out_) {
+    if (handed.array.nbytes() == handed.row.nbytes()) {  // Python code can change its shape
+      std::memcpy(handed.row.mutable_data(), handed.array.data(), static_cast<std::size_t>(handed.row.nbytes()));
+    }
+    withoutWriting(handed.array);
+  }
+  handed_out_.clear();
   for (Device& device : actuators_) {
     for (std::size_t i = 0; i < device.arrays.size(); ++i) {
       scatter(device.arrays[i].data(), device.table->fields[i], *device.places);
@@ -101,6 +120,8 @@ void bindRobotHost(py::module_& module) {
   refuseCopies(host_class, kOfAMoment);
   host_class.def_property_readonly("sensors", &RobotHost::sensors)
       .def_property_readonly("actuators", &RobotHost::actuators)
+      .def("hand_out", &RobotHost::handOut)
+      .def_property_readonly("is_in_step", &RobotHost::isInStep)
       .def("elements", &RobotHost::elements)
       .def("name", &RobotHost::name)
       .def("type", &RobotHost::type)

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "moment.hpp"
@@ -36,6 +37,10 @@ class RobotHost {
   /// A dictionary by device type of pairs: a dictionary of arrays by field name, and the names of the lists.
   pybind11::dict sensors() const { return dictionaryOf(sensors_); }
   pybind11::dict actuators() const { return dictionaryOf(actuators_); }
+  /// In a step: the array of a robot's field that is written back at the end of the step, the same for each call, and
+  /// read-only afterwards. Between steps: a read-only copy. @param row of one of the actuators' arrays
+  pybind11::array handOut(const pybind11::array& row);
+  bool isInStep() const { return step_.has_value(); }
   /// A list in a device of one robot in this step. @throws std::runtime_error between steps
   pybind11::object elements(const std::string& device, const std::string& list, std::size_t robot) const;
   std::string name(std::size_t robot) const { return at(robot).name(); }
@@ -75,6 +80,11 @@ class RobotHost {
   std::shared_ptr<RobotSelection> robots_;
   std::vector<Device> sensors_;
   std::vector<Device> actuators_;
+  struct HandedOut {
+    pybind11::array row;
+    pybind11::array array;
+  };
+  std::unordered_map<const PyObject*, HandedOut> handed_out_;  // in this step, by row
 };
 
 void bindRobotHost(pybind11::module_& module);

@@ -98,10 +98,8 @@ FieldArrays elementArrays(const Records& records, const ListPlaces& list, const 
                           std::int64_t* counts) {
   auto elements = std::make_shared<Records>(
       Records{records.moment, std::make_shared<std::vector<std::byte*>>(elementsOf(records, list, counts)), {}});
-  return {std::move(elements), list.elements, device + "." + list.name, "", ArrayUse::kCopy};
+  return {std::move(elements), list.elements, device + "." + list.name, "", ArrayUse::kLook};
 }
-
-void forbidWriting(py::array& array) { array.attr("flags").attr("writeable") = false; }
 
 /// Whether an array still has the field's type and size: Python code can change its shape.
 bool isWhole(const py::array& array, const FieldPlaces& field, std::size_t records) {
@@ -171,10 +169,9 @@ py::object FieldArrays::get(const std::string& name) const {
     gather(*records_->places, *field, copy.mutable_data());
     if (use_ == ArrayUse::kWrite) {
       records_->written.emplace(field, copy);
-    } else if (use_ == ArrayUse::kLook) {
-      forbidWriting(copy);
+      return copy;
     }
-    return copy;
+    return withoutWriting(std::move(copy));
   }
   if (const ListPlaces* list = table_->findList(full)) {
     return py::cast(ListArrays(*records_, *list, device_));
@@ -208,7 +205,7 @@ void FieldArrays::writeBack() const {
     if (isWhole(array, *field, size())) {
       scatter(array.data(), *field, *records_->places);
     }
-    forbidWriting(array);
+    withoutWriting(array);
   }
   records_->written.clear();
 }
@@ -220,8 +217,9 @@ std::string FieldArrays::describe() const {
 ListArrays::ListArrays(const Records& records, const ListPlaces& list, const std::string& device)
     : counts_(static_cast<py::ssize_t>(records.size())),
       elements_(elementArrays(records, list, device, counts_.mutable_data())) {
-  robot_ =
-      py::module_::import("numpy").attr("repeat")(py::module_::import("numpy").attr("arange")(records.size()), counts_);
+  const py::module_ numpy = py::module_::import("numpy");
+  robot_ = withoutWriting(py::array(numpy.attr("repeat")(numpy.attr("arange")(records.size()), counts_)));
+  counts_ = withoutWriting(std::move(counts_));
 }
 
 namespace {

@@ -1,7 +1,8 @@
 /// The fields of a device of many robots in Python, as NumPy arrays: `readings["footbot_proximity"].value` has the
-/// shape (robots, 24). Arrays of readings are copies. Commands are written as a whole, `commands["footbot_wheels"].left
-/// = speeds`, or in place, `commands["footbot_wheels"].left[some] = 3.0`: a step has one array per field, and its
-/// content at the end of the step is the command. Outside a step, arrays of commands are read-only.
+/// shape (robots, 24). Arrays of readings are read-only copies, which keep the values of their tick. Commands are
+/// written as a whole, `commands["footbot_wheels"].left = speeds`, or in place, `commands["footbot_wheels"].left[some]
+/// = 3.0`: a step has one array per field, and its content at the end of the step is the command. From then on, and
+/// outside a step, arrays of commands are read-only copies, too.
 ///
 /// Threads  the GIL must be held.
 #pragma once
@@ -24,8 +25,7 @@ using Places = std::shared_ptr<const std::vector<std::byte*>>;
 
 /// Permitted use of arrays that Python receives.
 enum class ArrayUse {
-  kCopy,  ///< readings: private copies, writable
-  kLook,  ///< commands outside a step: read-only
+  kLook,  ///< readings, and commands outside a step: read-only copies
   kWrite  ///< commands in a step: written back at its end
 };
 
@@ -37,6 +37,13 @@ struct Records {
 
   std::size_t size() const { return places->size(); }
 };
+
+/// Makes an array read-only, so that a write that would be lost raises an error. @return the array
+template <class Array>
+Array withoutWriting(Array array) {
+  pybind11::detail::array_proxy(array.ptr())->flags &= ~pybind11::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
 
 /// An uninitialized array for a field of that many records.
 pybind11::array arrayFor(const FieldPlaces& field, std::size_t records);
@@ -90,7 +97,7 @@ class ListArrays {
 
  private:
   pybind11::array_t<std::int64_t> counts_;
-  pybind11::array_t<std::int64_t> robot_;
+  pybind11::array robot_;
   FieldArrays elements_;
 };
 

@@ -25,7 +25,6 @@ NetworkInputs::Source NetworkInputs::sourceOf(Port& port, const void* device) {
   source.device = static_cast<const std::byte*>(device);
   source.places = port.places;
   source.range = port.range;
-  source.farthest = std::max(std::abs(port.range.minimum), std::abs(port.range.maximum));
   source.is_near = parameters.boolean("near", false);
   if (port.span == nullptr) {
     const std::size_t size = port.places.size();
@@ -48,17 +47,30 @@ NetworkInputs::Source NetworkInputs::sourceOf(Port& port, const void* device) {
     source.count = static_cast<std::size_t>(parameters.integer("count", {1.0, kMost}));
   } else {
     source.kind = Kind::kSectors;
-    source.count = static_cast<std::size_t>(parameters.integer("sectors", {2.0, kMost}));
-    const auto is_direction = [&](const DeviceNumber& number) { return port.type->fields[number.field].wraps; };
-    const std::vector<DeviceNumber>& numbers = port.span->elements;
-    const auto direction = std::find_if(numbers.begin(), numbers.end(), is_direction);
-    if (direction == numbers.end() || port.places.size() != 1) {
-      refuse(port, " in sectors", "a single number beside a direction all around");
-    }
-    source.direction = placeOf(*direction, port.type->fields[direction->field]);
+    source.sectors = sectorsOf(port, source);
+    source.count = source.sectors.count();
   }
-  parameters.refuseUnread({"minimum", "maximum", "near", "count", "sectors"});
+  parameters.refuseUnread({"minimum", "maximum", "near", "count", "sectors", "colors"});
   return source;
+}
+
+ListSectors NetworkInputs::sectorsOf(const Port& port, const Source& source) {
+  const Configuration& parameters = *port.parameters;
+  const ListPlaces& list = *fieldTableOf(*port.type).findList(port.span->name);
+  const auto& fields = list.elements.fields;
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const FieldPlaces& each) {
+    return &port.type->fields[each.description] == port.field;
+  });
+  ListSectors::Options options;
+  options.sectors = static_cast<std::size_t>(parameters.integer("sectors", {2.0, kMost}));
+  options.range = source.range;
+  options.is_near = source.is_near;
+  options.colors = colorsIn(parameters, "colors");
+  const std::string reason = ListSectors::reasonAgainst(*port.type, list, *field, !options.colors.empty());
+  if (!reason.empty()) {
+    refuse(port, " in sectors", reason);
+  }
+  return {*port.type, list, *field, options};
 }
 
 std::size_t NetworkInputs::sizeOf(const Source& source) {
@@ -68,11 +80,7 @@ std::size_t NetworkInputs::sizeOf(const Source& source) {
 }
 
 double NetworkInputs::scaled(const Source& source, double value) {
-  if (std::isnan(value)) {
-    return 0.0;  // no reading
-  }
-  const double part = std::clamp(value, source.range.minimum, source.range.maximum) / source.farthest;
-  return source.is_near ? 1.0 - std::abs(part) : part;
+  return scaledTo(source.range, source.is_near, value);
 }
 
 void NetworkInputs::read(std::vector<double>& values) const {
@@ -83,7 +91,7 @@ void NetworkInputs::read(std::vector<double>& values) const {
     } else if (source.kind == Kind::kFirst) {
       readFirst(source, next);
     } else {
-      readSectors(source, next);
+      source.sectors.read(source.device, next);
     }
     next += sizeOf(source);
   }
@@ -107,23 +115,6 @@ void NetworkInputs::readFirst(const Source& source, double* values) {
     for (const NumberPlace& place : source.places) {
       *values++ = k < there ? scaled(source, place.read(element)) : 0.0;
     }
-  }
-}
-
-void NetworkInputs::readSectors(const Source& source, double* values) {
-  std::fill(values, values + source.count, 0.0);
-  const Span<const std::byte> bytes = source.span.bytes(source.device + source.span_offset);
-  const auto count = static_cast<double>(source.count);
-  for (std::size_t at = 0; at < bytes.size(); at += source.span.element_size) {
-    const std::byte* element = bytes.data() + at;
-    const double turn = source.direction.read(element) / (2.0 * M_PI);
-    if (!std::isfinite(turn)) {
-      continue;
-    }
-    const double sector = std::floor((turn - std::floor(turn)) * count + 0.5);  // the first sector is centred ahead
-    double& value = values[sector >= count ? 0 : static_cast<std::size_t>(sector)];
-    const double found = scaled(source, source.places[0].read(element));
-    value = std::abs(found) > std::abs(value) ? found : value;
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "port.hpp"
+#include "swarmanoid_interface/list_sectors.hpp"
 
 namespace swarmanoid::neural {
 
@@ -27,19 +28,18 @@ class NetworkInputs {
     std::size_t group = 1;        // count of numbers whose mean is one input
     std::size_t span_offset = 0;  // of the list, in the device [byte]
     SpanAccess span;              // access to the list
-    NumberPlace direction;        // number that assigns list elements to sectors
+    ListSectors sectors;          // of the list, for kSectors
     std::size_t count = 0;        // of list elements that are read, or of sectors
-    double farthest = 1.0;        // value that is scaled to 1
     Range range;
-    bool is_near = false;  // 1 at 0, and 0 at `farthest`
+    bool is_near = false;  // 1 at 0, and 0 at the farthest value
   };
 
   static Source sourceOf(Port& port, const void* device);
+  static ListSectors sectorsOf(const Port& port, const Source& source);
   static std::size_t sizeOf(const Source& source);
   static double scaled(const Source& source, double value);
   static void readNumbers(const Source& source, double* values);
   static void readFirst(const Source& source, double* values);
-  static void readSectors(const Source& source, double* values);
 
   std::vector<Source> sources_;
   std::size_t size_ = 0;

@@ -1,5 +1,7 @@
 #include "network_outputs.hpp"
 
+#include "swarmanoid_interface/list_sectors.hpp"
+
 namespace swarmanoid::neural {
 
 NetworkOutputs::NetworkOutputs(Robot& robot, const Configuration& outputs) {
@@ -10,7 +12,7 @@ NetworkOutputs::NetworkOutputs(Robot& robot, const Configuration& outputs) {
     takeCount(port);
     auto* device = static_cast<std::byte*>(robot.actuator(port.type->type));
     if (port.parameters->has("constant")) {
-      const double value = port.parameters->number("constant", boundsOf(*port.field));
+      const double value = port.parameters->number("constant", scalingBoundsOf(*port.field));
       port.parameters->refuseUnread({"count", "constant"});
       for (const NumberPlace& place : port.places) {
         constants_.push_back({device, place, {value, value}});

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "swarmanoid_interface/contains.hpp"
+#include "swarmanoid_interface/list_sectors.hpp"
 
 namespace swarmanoid::neural {
 namespace {
@@ -102,25 +103,8 @@ std::vector<Port> portsOf(const Robot& robot, const Configuration& element, Devi
   return ports;
 }
 
-Range boundsOf(const FieldDescription& field) {
-  if (field.wraps) {
-    return {-M_PI, M_PI};
-  }
-  const bool is_bounded = std::isfinite(field.range.minimum) || std::isfinite(field.range.maximum);
-  if (field.type == "b1") {
-    return {0.0, 1.0};
-  }
-  if (field.type == "u1" && !is_bounded) {
-    return {0.0, 255.0};
-  }
-  if (field.type == "i1" && !is_bounded) {
-    return {-128.0, 127.0};
-  }
-  return field.range;
-}
-
 void takeRange(Port& port) {
-  const Range bounds = boundsOf(*port.field);
+  const Range bounds = scalingBoundsOf(*port.field);
   port.range.minimum = port.parameters->number("minimum", bounds.minimum, bounds);
   port.range.maximum = port.parameters->number("maximum", bounds.maximum, bounds);
   if (!std::isfinite(port.range.minimum) || !std::isfinite(port.range.maximum)) {

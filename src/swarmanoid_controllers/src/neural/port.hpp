@@ -39,10 +39,7 @@ struct Port {
 /// Returns the fields of sensors or of actuators that <inputs> or <outputs> lists. @throws ConfigError
 std::vector<Port> portsOf(const Robot& robot, const Configuration& element, DeviceKind kind);
 
-/// Bounds in the descriptor, or else those of the number's type; +-pi for angles that wrap, infinite if there are none.
-Range boundsOf(const FieldDescription& field);
-
-/// Reads the attributes minimum and maximum; boundsOf is the default. @throws ConfigError
+/// Reads the attributes minimum and maximum; scalingBoundsOf is the default. @throws ConfigError
 void takeRange(Port& port);
 
 /// Reads the attribute count of a field outside lists, and keeps only that many of its numbers. @throws ConfigError

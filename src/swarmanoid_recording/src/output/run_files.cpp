@@ -5,9 +5,6 @@
 
 namespace swarmanoid {
 
-namespace {
-
-/// Loads the suite's library with that visualisation. @throws ConfigError if it is not installed
 void loadVisualisation(const std::string& label) {
   for (const DeclaredLibrary& declared : declaredLibraries()) {
     if (declared.isOfSuite() && contains(declared.visualisations, label)) {
@@ -17,8 +14,6 @@ void loadVisualisation(const std::string& label) {
   }
   throw ConfigError({}, "found no visualisation '" + label + "', allowed: an installation whose packages declare it");
 }
-
-}  // namespace
 
 std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment& experiment) {
   if (files.records_bag) {

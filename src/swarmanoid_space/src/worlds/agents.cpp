@@ -62,9 +62,11 @@ void Agents::step(const Space& /*space*/, Banks& /*commands*/, Span<const GroupM
     }
     next = slot + 1;
     slot->is_stepped = true;
+    const auto first = static_cast<std::size_t>(slot - slots_.begin()) * commanded_.size();
     if (actions_ != nullptr) {
-      const auto place = static_cast<std::size_t>(slot - slots_.begin());
-      commanded_.scatter(actions_ + place * commanded_.size(), slot->actuators);
+      commanded_.scatter(actions_ + first, slot->actuators);
+    } else if (precise_actions_ != nullptr) {
+      commanded_.scatter(precise_actions_ + first, slot->actuators);
     }
   }
 }

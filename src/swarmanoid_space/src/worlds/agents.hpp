@@ -29,7 +29,9 @@ class Agents final : public GroupController {
   /// @param most number of slots from now on; robots beyond them are no agents
   void limitSlots(std::size_t most) { most_ = most; }
   /// @param actions [slots][action size] of the next steps; null: none yet, robots keep the commands that they have
-  void setActions(const float* actions) { actions_ = actions; }
+  void setActions(const float* actions) { actions_ = actions, precise_actions_ = nullptr; }
+  void setActions(const double* actions) { precise_actions_ = actions, actions_ = nullptr; }
+  void setActions(std::nullptr_t) { actions_ = nullptr, precise_actions_ = nullptr; }
   /// Marks all agents as stepped, as before the first step of a run.
   void markAll();
   /// Reads the agents that were stepped in the last tick and remain. @param observations [most slots][observation
@@ -67,6 +69,7 @@ class Agents final : public GroupController {
   const AgentFields& observed_;
   const AgentFields& commanded_;
   const float* actions_ = nullptr;
+  const double* precise_actions_ = nullptr;  // instead of actions_
   std::size_t most_ = SIZE_MAX;
   std::vector<Slot> slots_;
 };

@@ -31,6 +31,7 @@ std::string controllerOf(const Experiment& experiment, const std::string& asked)
     return known.front();
   }
   if (std::find(known.begin(), known.end(), asked) == known.end()) {
+    std::sort(known.begin(), known.end());
     throw ConfigError({"controller", 0}, asked.empty() ? "found none, allowed: " + joinNames(known)
                                                        : unknownName("the controller", asked, known));
   }
@@ -69,17 +70,24 @@ struct Worlds::State {
     std::exception_ptr failure;
   };
 
-  State(Options given, const Describe& describe);
+  State(Options given, const Describe& describe, const Supplies& supplies);
 
-  void add(std::size_t index, Experiment experiment);
+  void add(std::size_t index, Experiment experiment, Supply supply);
   /// Starts the run of a world anew, and observes it.
   void restart(std::size_t index, std::uint64_t seed);
   void restore(std::size_t index, const Snapshot& snapshot);
   void observe(std::size_t index);
+  /// Movable entities that are no agents, by number.
+  std::vector<Row> othersOf(const OneWorld& world) const;
+  /// Calls read(entities, row, numbers of the agent) for all agents. @param to [worlds][slots][numbers]
+  template <class Read>
+  void readAgents(std::size_t numbers, double* to, Read read) const;
   void judge(std::size_t index);
   void clearRewards(std::size_t index) { std::fill_n(&rewards[index * slots], slots, 0.0F); }
-  void step(std::size_t index, const float* actions);
-  void advance(std::size_t index, const float* actions);
+  template <class Number>
+  void step(std::size_t index, const Number* actions);
+  template <class Number>
+  void advance(std::size_t index, const Number* actions);
   /// Calls action(world) for all worlds, on all threads. @throws the exception of the first world that has one
   template <class Action>
   void forAll(Action action);
@@ -90,6 +98,7 @@ struct Worlds::State {
   Workers workers;
   std::vector<OneWorld> worlds;
   std::size_t slots = 0;
+  std::size_t others = 0;  // movable entities of a world that are no agents, the most at the start
   std::vector<float> observations;
   std::vector<float> final_observations;
   std::vector<float> rewards;
@@ -98,7 +107,7 @@ struct Worlds::State {
   std::vector<std::uint8_t> truncated;
 };
 
-Worlds::State::State(Options given, const Describe& describe)
+Worlds::State::State(Options given, const Describe& describe, const Supplies& supplies)
     : options(std::move(given)),
       observed(options.observations, DeviceKind::kSensor, "observations"),
       commanded(options.actions, DeviceKind::kActuator, "actions"),
@@ -106,8 +115,11 @@ Worlds::State::State(Options given, const Describe& describe)
       worlds(checked("count", options.count, {1.0, 1e6})) {
   checked("ticks_per_step", options.ticks_per_step, {1.0, 1e9});
   for (std::size_t i = 0; i < worlds.size(); ++i) {
-    add(i, describe(i));
+    add(i, describe(i), supplies(i));
     slots = std::max(slots, worlds[i].agents->slotCount());
+  }
+  for (const OneWorld& world : worlds) {
+    others = std::max(others, othersOf(world).size());
   }
   if (slots == 0) {
     throw ConfigError({"controller", 0},
@@ -128,18 +140,18 @@ Worlds::State::State(Options given, const Describe& describe)
   });
 }
 
-void Worlds::State::add(std::size_t index, Experiment experiment) {
+void Worlds::State::add(std::size_t index, Experiment experiment, Supply supply) {
   OneWorld& world = worlds[index];
   options.controller = controllerOf(experiment, options.controller);
-  experiment.framework.threads = 1;
+  if (worlds.size() > 1) {
+    experiment.framework.threads = 1;
+  }
   world.seed = experiment.framework.seed;
   world.agents = std::make_shared<Agents>(observed, commanded);
-  RunContext context;
-  context.is_open = false;
-  context.keeps_start = true;
-  SuppliedParts supplied;
-  supplied.group_controllers[options.controller] = world.agents;
-  world.simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
+  supply.context.keeps_start = true;
+  supply.parts.group_controllers[options.controller] = world.agents;
+  world.simulation =
+      std::make_unique<Simulation>(std::move(experiment), std::move(supply.context), std::move(supply.parts));
   world.simulation->start();
   world.agents->markAll();
   world.metric = options.reward.empty() ? 0.0 : metricOf(*world.simulation, options.reward);
@@ -209,7 +221,8 @@ void Worlds::State::judge(std::size_t index) {
   worlds[index].is_over = terminated[index] != 0 || truncated[index] != 0;
 }
 
-void Worlds::State::advance(std::size_t index, const float* actions) {
+template <class Number>
+void Worlds::State::advance(std::size_t index, const Number* actions) {
   OneWorld& world = worlds[index];
   world.agents->setActions(actions + index * slots * commanded.size());
   for (std::size_t tick = 0; tick < options.ticks_per_step && !world.simulation->isFinished(); ++tick) {
@@ -226,7 +239,8 @@ void Worlds::State::advance(std::size_t index, const float* actions) {
   }
 }
 
-void Worlds::State::step(std::size_t index, const float* actions) {
+template <class Number>
+void Worlds::State::step(std::size_t index, const Number* actions) {
   OneWorld& world = worlds[index];
   if (!final_observations.empty()) {
     std::fill_n(&final_observations[index * slots * observed.size()], slots * observed.size(), 0.0F);
@@ -249,7 +263,14 @@ void Worlds::State::step(std::size_t index, const float* actions) {
 }
 
 Worlds::Worlds(Options options, const Describe& describe)
-    : state_(std::make_unique<State>(std::move(options), describe)) {}
+    : Worlds(std::move(options), describe, [](std::size_t) {
+        Supply supply;
+        supply.context.is_open = false;
+        return supply;
+      }) {}
+
+Worlds::Worlds(Options options, const Describe& describe, const Supplies& supplies)
+    : state_(std::make_unique<State>(std::move(options), describe, supplies)) {}
 
 Worlds::~Worlds() = default;
 
@@ -286,6 +307,17 @@ void Worlds::step(const float* actions) {
   state_->forAll([&](std::size_t i) { state_->step(i, actions); });
 }
 
+void Worlds::step(const double* actions) {
+  state_->forAll([&](std::size_t i) { state_->step(i, actions); });
+}
+
+void Worlds::observe() {
+  state_->forAll([&](std::size_t i) {
+    state_->observe(i);
+    state_->judge(i);
+  });
+}
+
 float* Worlds::observations() { return state_->observations.data(); }
 float* Worlds::finalObservations() { return state_->final_observations.data(); }
 float* Worlds::rewards() { return state_->rewards.data(); }
@@ -293,19 +325,82 @@ std::uint8_t* Worlds::present() { return state_->present.data(); }
 std::uint8_t* Worlds::terminated() { return state_->terminated.data(); }
 std::uint8_t* Worlds::truncated() { return state_->truncated.data(); }
 
-void Worlds::readPoses(double* poses) const {
-  constexpr std::size_t kNumbers = 7;
-  std::fill_n(poses, count() * slots() * kNumbers, 0.0);
-  for (std::size_t i = 0; i < count(); ++i) {
-    const Space& space = world(i).space();
-    state_->worlds[i].agents->visit(space, [&](std::size_t slot, Row row) {
-      double* to = poses + (i * slots() + slot) * kNumbers;
-      Eigen::Map<Eigen::Vector3d>{to} = space.entities.pose[row].position;
-      Eigen::Map<Eigen::Vector4d>{to + 3} = space.entities.pose[row].orientation.coeffs();
-    });
+template <class Read>
+void Worlds::State::readAgents(std::size_t numbers, double* to, Read read) const {
+  std::fill_n(to, worlds.size() * slots * numbers, 0.0);
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    const Space& space = worlds[i].simulation->space();
+    worlds[i].agents->visit(
+        space, [&](std::size_t slot, Row row) { read(space.entities, row, to + (i * slots + slot) * numbers); });
   }
 }
 
+void Worlds::readPoses(double* poses) const {
+  state_->readAgents(7, poses, [](const Entities& entities, Row row, double* to) {
+    Eigen::Map<Eigen::Vector3d>{to} = entities.pose[row].position;
+    Eigen::Map<Eigen::Vector4d>{to + 3} = entities.pose[row].orientation.coeffs();
+  });
+}
+
+void Worlds::readTwists(double* twists) const {
+  state_->readAgents(6, twists, [](const Entities& entities, Row row, double* to) {
+    Eigen::Map<Eigen::Vector3d>{to} = entities.twist[row].linear;
+    Eigen::Map<Eigen::Vector3d>{to + 3} = entities.twist[row].angular;
+  });
+}
+
+std::vector<Row> Worlds::State::othersOf(const OneWorld& world) const {
+  const Space& space = world.simulation->space();
+  std::vector<Row> agents;
+  world.agents->visit(space, [&](std::size_t /*slot*/, Row row) { agents.push_back(row); });
+  std::vector<Row> rows;
+  for (const Row row : space.entities.order) {
+    if (space.entities.model[row]->is_movable && std::find(agents.begin(), agents.end(), row) == agents.end()) {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+std::size_t Worlds::stateRows() const { return slots() + state_->others; }
+
+void Worlds::readState(double* numbers) const {
+  std::fill_n(numbers, count() * stateRows() * kStateNumbers, 0.0);
+  for (std::size_t i = 0; i < count(); ++i) {
+    const State::OneWorld& one = state_->worlds[i];
+    const Space& space = one.simulation->space();
+    const auto write = [&](std::size_t place, Row row) {
+      double* to = numbers + (i * stateRows() + place) * kStateNumbers;
+      *to++ = 1.0;
+      Eigen::Map<Eigen::Vector3d>{to} = space.entities.pose[row].position;
+      Eigen::Map<Eigen::Vector4d>{to + 3} = space.entities.pose[row].orientation.coeffs();
+      Eigen::Map<Eigen::Vector3d>{to + 7} = space.entities.twist[row].linear;
+      Eigen::Map<Eigen::Vector3d>{to + 10} = space.entities.twist[row].angular;
+    };
+    one.agents->visit(space, write);
+    const std::vector<Row> rows = state_->othersOf(one);
+    for (std::size_t k = 0; k < std::min(rows.size(), state_->others); ++k) {
+      write(slots() + k, rows[k]);
+    }
+  }
+}
+
+std::vector<Row> Worlds::rowsOf(std::size_t world) const {
+  std::vector<Row> rows(slots(), kNoRow);
+  const State::OneWorld& one = state_->worlds.at(world);
+  one.agents->visit(one.simulation->space(), [&](std::size_t slot, Row row) {
+    if (state_->present[world * slots() + slot] != 0) {
+      rows[slot] = row;
+    }
+  });
+  return rows;
+}
+
+std::vector<std::vector<Range>> Worlds::boundsOf(const std::vector<std::string>& names, DeviceKind kind) {
+  return AgentFields(names, kind, kind == DeviceKind::kSensor ? "observations" : "actions").bounds();
+}
+
 const Simulation& Worlds::world(std::size_t world) const { return *state_->worlds.at(world).simulation; }
+Simulation& Worlds::world(std::size_t world) { return *state_->worlds.at(world).simulation; }
 
 }  // namespace swarmanoid

@@ -21,6 +21,9 @@ struct RunFiles {
   std::vector<std::string> reads;  ///< files that the run reads in addition to those of the experiment; "" is skipped
 };
 
+/// Loads the suite's library with that visualisation. @throws ConfigError if it is not installed
+void loadVisualisation(const std::string& label);
+
 /// The folder of a run's files; protects all files that the run reads or needs. Call it after the experiment has loaded
 /// its libraries.
 /// @throws ConfigError if it cannot be made

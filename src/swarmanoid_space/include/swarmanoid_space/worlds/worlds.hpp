@@ -10,7 +10,10 @@
 /// Arrays   contiguous, [worlds][slots][numbers] or [worlds][slots]; they stay in place while this object lives.
 /// Threads  all functions from one thread. Worlds are stepped on `threads` threads, one thread for a world; results do
 ///          not depend on their number.
-/// Units    those of the devices' fields; float32.
+/// Units    those of the devices' fields; float32. A field of a sensor's list, such as the blobs of a camera, is read
+/// by
+///          direction, scaled as the inputs of neural controllers: "footbot_camera.blobs.distance[sectors=8 near
+///          maximum=3 colors=yellow,green]" (docs/reference/neural_controllers.md has the attributes).
 /// Errors   ConfigError for a wrong experiment or option. An exception in a world ends that world's run; `step` and
 ///          `reset` throw a std::runtime_error with the number and the reason of the first such world, after all others
 ///          are done.
@@ -51,7 +54,18 @@ class Worlds {
   /// Returns the experiment of a world, with its seed; called once for each world, in order.
   using Describe = std::function<Experiment(std::size_t world)>;
 
+  /// What a world's simulation gets besides its experiment; `group_controllers` of the agents are overwritten.
+  struct Supply {
+    RunContext context;
+    SuppliedParts parts;
+  };
+  /// Called once for each world, in order.
+  using Supplies = std::function<Supply(std::size_t world)>;
+
   Worlds(Options options, const Describe& describe);
+  /// The same with rules, scripts or output of each world. Parts in another language than C++ must expect calls from
+  /// any of the threads.
+  Worlds(Options options, const Describe& describe, const Supplies& supplies);
   ~Worlds();
   Worlds(const Worlds&) = delete;
   Worlds& operator=(const Worlds&) = delete;
@@ -73,6 +87,7 @@ class Worlds {
   void restore(const Snapshot& snapshot, const std::uint8_t* chosen = nullptr);
   /// @param actions [worlds][slots][action size]; rows without an agent are ignored
   void step(const float* actions);
+  void step(const double* actions);  ///< the same without rounding to single precision
 
   /// Arrays of the last step or reset: rows without an agent are 0. @{
   float* observations();       ///< [worlds][slots][observation size]
@@ -85,8 +100,28 @@ class Worlds {
   /// Writes position x, y, z and quaternion x, y, z, w of each agent in W. @param poses [worlds][slots][7]
   void readPoses(double* poses) const;
 
+  /// The same with linear velocity [m/s] and angular velocity [rad/s] in W. @param twists [worlds][slots][6]
+  void readTwists(double* twists) const;
+  /// The whole state of worlds, for critics: a row for each slot, then one for each movable entity that is no agent, by
+  /// entity number, as many as the most of any world at the start. Numbers of a row: 1, position [m], orientation as a
+  /// quaternion x, y, z, w, linear velocity [m/s], angular velocity [rad/s], all in W; or all 0 without an entity. @{
+  static constexpr std::size_t kStateNumbers = 14;
+  std::size_t stateRows() const;
+  void readState(double* numbers) const;  ///< [worlds][state rows][kStateNumbers]
+  /// @}
+
   /// One world, for everything else. @pre world < count()
   const Simulation& world(std::size_t world) const;
+  /// The same to change it between steps, by interventions, ticks or resets; `observe` follows.
+  Simulation& world(std::size_t world);
+  /// Renews all arrays but rewards after worlds were changed from outside.
+  void observe();
+  /// Row in Space of each slot; kNoRow for one that is not present. @pre world < count()
+  std::vector<Row> rowsOf(std::size_t world) const;
+
+  /// Bounds of each number of each field, in the order of names; infinite without. @param names as of Options
+  /// @throws ConfigError for an unknown name
+  static std::vector<std::vector<Range>> boundsOf(const std::vector<std::string>& names, DeviceKind kind);
 
  private:
   struct State;
