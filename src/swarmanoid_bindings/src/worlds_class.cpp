@@ -133,13 +133,6 @@ void step(Worlds& worlds, const Actions& actions) {
   worlds.step(numbers);
 }
 
-void requireWorld(const Worlds& worlds, std::size_t world) {
-  if (world >= worlds.count()) {
-    throw py::index_error("found the world " + std::to_string(world) + ", allowed: less than " +
-                          std::to_string(worlds.count()));
-  }
-}
-
 py::dict metricsOfWorld(const Worlds& worlds, std::size_t world) {
   requireWorld(worlds, world);
   py::dict values;
