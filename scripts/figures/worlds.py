@@ -36,6 +36,28 @@ print(repr((max(rates), (time.perf_counter() - start) / count, resource.getrusag
 """
 
 
+# an Env of one world of ten footbots, with a reward in Python; the best of five rounds
+ENV = """
+import time, numpy
+from swarmanoid.environments import make
+
+def speed(robots):
+    return numpy.hypot(robots.twists[:, 0], robots.twists[:, 1])
+
+env = make("diffusion", reward=speed, ticks=1000000, overrides={"arena.distribute.quantity": 10, "arena.size": (4, 4, 1),
+           "arena.distribute.minimum": (0.2, 0.2, 0), "arena.distribute.maximum": (3.8, 3.8, 0)})
+seen, _ = env.reset(seed=3)
+rates = []
+for _ in range(5):
+    start = time.perf_counter()
+    for _ in range(4000):
+        near = seen.max(axis=1) > 0
+        seen = env.step(numpy.array([[4.0, 4.0], [-3.0, 3.0]])[near.astype(int)])[0]
+    rates.append(10 * 4000 / (time.perf_counter() - start))
+print(repr(max(rates)))
+"""
+
+
 def measure(count, robots, threads=1, engine="kinematics2d"):
     """@return agent steps/s, seconds of a world's reset, memory of the process [MB]"""
     steps = max(10, 500_000 // (count * robots))
@@ -60,3 +82,6 @@ def worlds(table):
         if (count, robots, threads, engine) == (1000, 10, 1, "kinematics2d"):
             table.add("1,000 worlds x 10 footbots, kinematics2d: reset of a world", "under 20 us", f"{reset * 1e6:.0f} us", reset < 20e-6)
             table.add("1,000 worlds x 10 footbots, kinematics2d: memory of the process", "under 400 MB", f"{memory:.0f} MB", memory < 400)
+    rate = evaluate(ENV)
+    table.add("environments.Env of one world of diffusion, 10 footbots, reward in Python, kinematics2d", "at least 400 thousand agent steps/s",
+              f"{rate / 1e3:.0f} thousand agent steps/s", rate >= 400e3)
